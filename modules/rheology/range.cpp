@@ -33,10 +33,9 @@ void judge(const Barus& law, const Loading& loading, core::Warnings& found) {
                                   : fmt::format("up to ln(eta/eta0) of about {:.2g}, {} for a mineral oil,",
                                                 barus_log_viscosity, gigapascals(barus_pressure));
   found.push_back(
-      {"viscosity-range",
-       fmt::format("Barus' viscosity beyond its range: {}; it follows measured viscosities {} and is far too viscous "
-                   "above; viscosity = roelands is closer",
-                   state_of_oil(loading, log_eta, law.alpha_bar), range)});
+      {"viscosity-range", fmt::format("Barus' law is used outside its range: {}; it follows measured viscosities {} "
+                                      "and gives far too high ones above. Use viscosity = roelands",
+                                      state_of_oil(loading, log_eta, law.alpha_bar), range)});
 }
 
 void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
@@ -49,18 +48,15 @@ void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
   const std::string oil = known ? fmt::format("eta0 = {:.3g}", loading.eta0) : "an eta0 of 0.1";
   if (log_eta > glass)
     found.push_back(
-        {"viscosity-range",
-         fmt::format(
-             "Roelands' viscosity beyond its range: {}; with {} Pa s the oil is a glass ({:.0e} Pa s) above "
-             "{:.3g} and shears as a solid: the film, made in the inlet, suffers little, friction cannot be had "
-             "from it",
-             state, oil, glass_viscosity, glass)});
+        {"viscosity-range", fmt::format("Roelands' law is used outside its range: {}; with {} Pa s the oil is a glass "
+                                        "({:.0e} Pa s) above {:.3g} and shears as a solid. The film is formed in the "
+                                        "inlet and changes little, but friction cannot be computed from this law",
+                                        state, oil, glass_viscosity, glass)});
   else if (p_max > roelands_pressure)
     found.push_back(
         {"viscosity-range",
          fmt::format(
-             "Roelands' viscosity extrapolated: {}; viscosities were measured up to about 1 GPa, and {} is twice "
-             "that",
+             "Roelands' law is extrapolated: {}; viscosities were measured up to about 1 GPa, and {} is twice that",
              state, gigapascals(roelands_pressure))});
 }
 
@@ -68,12 +64,10 @@ void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
 void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading, core::Warnings& found) {
   if (!(loading.P_max > P_glass)) return;
   found.push_back(
-      {"viscosity-range",
-       fmt::format(
-           "{} viscosity beyond its range: {} ln(eta/eta0) = {:.3g}; the oil is a glass above {}, where the law "
-           "is continued along its tangent: the film, made in the inlet, suffers little, friction cannot be had "
-           "from it",
-           law, state_of_pressure(loading), log_eta, gigapascals(P_glass * loading.p_h))});
+      {"viscosity-range", fmt::format("{} law is used outside its range: {} ln(eta/eta0) = {:.3g}; the oil is a glass "
+                                      "above {}, where the law is continued along its tangent. The film is formed in "
+                                      "the inlet and changes little, but friction cannot be computed from this law",
+                                      law, state_of_pressure(loading), log_eta, gigapascals(P_glass * loading.p_h))});
 }
 
 void judge(const Doolittle& law, const Loading& loading, core::Warnings& found) {
@@ -87,10 +81,9 @@ void judge(const Yasutomi& law, const Loading& loading, core::Warnings& found) {
 void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading, core::Warnings& found) {
   const double p_max = p_h * loading.P_max;
   if (!(p_max > curve.x.back())) return;
-  found.push_back(
-      {"table-range",
-       fmt::format("the table of the {} was left: p_max = {}, and it ends at {}; above it goes on along its last slope",
-                   what, gigapascals(p_max), gigapascals(curve.x.back()))});
+  found.push_back({"table-range", fmt::format("the pressure exceeds the table of the {}: p_max = {}, and the table "
+                                              "ends at {}; it is continued along its last slope. Extend the table",
+                                              what, gigapascals(p_max), gigapascals(curve.x.back()))});
 }
 
 void judge(const TabulatedViscosity& law, const Loading& loading, core::Warnings& found) {
@@ -113,12 +106,10 @@ void judge(const DowsonHigginson& law, const Loading& loading, core::Warnings& f
   std::array<double, 1> rho_bar{};
   density(law, std::array{loading.P_max}, rho_bar);
   found.push_back(
-      {"density-range",
-       fmt::format(
-           "Dowson and Higginson's density extrapolated: at p_max = {} rho/rho0 = {:.3g}, and never above 1.34; "
-           "it was fitted up to 0.4 GPa, and above {} a typical oil is at least 5 % denser, and the film there "
-           "thinner by as much",
-           gigapascals(p_max), rho_bar[0], gigapascals(dowson_higginson_pressure))});
+      {"density-range", fmt::format("Dowson and Higginson's density is extrapolated: at p_max = {} rho/rho0 = {:.3g}, "
+                                    "and it never exceeds 1.34; it was fitted up to 0.4 GPa. Above {} a typical oil is "
+                                    "at least 5 % denser, and the film there thinner by as much",
+                                    gigapascals(p_max), rho_bar[0], gigapascals(dowson_higginson_pressure))});
 }
 
 }  // namespace

@@ -55,34 +55,33 @@ int nodes_below_zero(const core::Field& Q) {
 void warn_of_supply(const Starvation& found, core::Warnings& warnings) {
   constexpr int close = 3;
   if (found.line && found.filled > 0.0)
-    warnings.push_back(
-        {"supply-left",
-         "the supply is more than the contact lets through, and on a line nothing flows aside: the rest stays in front "
-         "of it, and the film is the flooded one"});
+    warnings.push_back({"supply-left",
+                        "the supply exceeds what passes through the contact, and a line contact has no side flow: the "
+                        "rest stays upstream, and the film is the flooded one"});
   else if (found.filled > 0.0)
     warnings.push_back(
-        {"supply-left", "supply beyond what the domain takes: at " + percent(found.filled) +
-                            " of the inlet boundary the gap is full, and oil is left out; move x_inlet upstream"});
+        {"supply-left", "the supply exceeds what the domain can hold: at " + percent(found.filled) +
+                            " of the inlet boundary the gap is full, and this oil is lost; move x_inlet upstream"});
   else if (found.cells_to_inlet <= close)
     warnings.push_back(
-        {"meniscus-at-inlet", "the meniscus is within " + std::to_string(found.cells_to_inlet) +
-                                  " cells of the inlet boundary, which may hold it back; move x_inlet upstream"});
+        {"meniscus-at-inlet", "the meniscus is only " + std::to_string(found.cells_to_inlet) +
+                                  " cells from the inlet boundary, which may displace it; move x_inlet upstream"});
   if (!found.flooded_converged)
-    warnings.push_back({"no-flooded-film", "the flooded contact beside it did not converge: no starvation factor"});
+    warnings.push_back({"no-flooded-film",
+                        "the flooded contact, solved for comparison, did not converge: there is no starvation factor"});
   constexpr double thicker = 1.01;  // above 1 by more than the mesh error and the algebraic error
   if (found.factor > thicker)
     warnings.push_back(
         {"starvation-above-1",
-         "the starvation factor is above 1, which no film has: the mesh resolves neither film; use more cells"});
+         "the starvation factor is above 1, which is not physical: the mesh resolves neither film; use more cells"});
 }
 
 void warn_of_passes(const std::vector<Pass>& passes, core::Warnings& warnings) {
   if (!passes.empty() && std::isnan(passes.back().supply_error)) {
     const auto known = std::ranges::count_if(passes, [](const Pass& pass) { return !std::isnan(pass.supply_error); });
-    warnings.push_back({"passes-unknown", "the error that " + std::to_string(passes.size() - 1) +
-                                              " passes leave in the layer is not known, and the film has no error bar: "
-                                              "the passes on half as many cells, "
-                                              "which it is estimated from, are solved up to number " +
+    warnings.push_back({"passes-unknown", "the error in the layer after " + std::to_string(passes.size() - 1) +
+                                              " passes is not known, and the film has no error bar: the comparison on "
+                                              "half as many cells reached pass number " +
                                               std::to_string(known) + " only; use more cells"});
   }
   const auto swinging = std::ranges::count_if(passes, &Pass::swings);
@@ -95,7 +94,7 @@ void warn_of_passes(const std::vector<Pass>& passes, core::Warnings& warnings) {
   warnings.push_back(
       {"edge-of-film", "in " + std::to_string(swinging) + " of " + std::to_string(passes.size()) +
                            " passes a node at the edge of the film alternates between wet and dry: residual " +
-                           largest + " at most, oil is conserved; another number of cells may settle it"});
+                           largest + " at most, oil is conserved; try another number of cells"});
 }
 
 }  // namespace
@@ -114,7 +113,7 @@ std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution
   if (!(least.value < 0.0) || std::abs(Y) < near_the_end * 0.5 * scene.shape.length) return {};
   char place[64];
   std::snprintf(place, sizeof place, "H = %.3g at y = %.4g a", least.value, Y);
-  return std::string("the end of the roller cuts through the film, ") + place +
+  return std::string("the film is negative at the end of the roller, ") + place +
          ", and finer meshes do not help: let the profile fall further at the ends, or reduce the load or the tilt";
 }
 
@@ -126,58 +125,58 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
   if (!cutting.empty())
     warnings.push_back({"roller-cuts", cutting});
   else if (last.Hm_fitted < 0.0)
-    warnings.push_back(
-        {"film-negative",
-         "the film is negative between the nodes, where it is thinnest: the mesh does not show the minimum; use at "
-         "least " +
-             std::to_string(2 * last.nx) + " cells"});
+    warnings.push_back({"film-negative",
+                        "the minimum of the film lies between the nodes and is negative there: the mesh does not "
+                        "resolve it; use at least " +
+                            std::to_string(2 * last.nx) + " cells"});
   else if (std::isnan(last.error_Hc))
-    warnings.push_back({"one-level", "rough error estimate: the film was computed on a single level; use at least " +
-                                         std::to_string(2 * last.nx) + " cells"});
+    warnings.push_back(
+        {"one-level", "the error estimate is rough, because the film was computed on a single level; use at least " +
+                          std::to_string(2 * last.nx) + " cells"});
   else if (const double error = std::max(of_Hc, of_Hm); error > unresolved_film)
-    warnings.push_back({"mesh", "film not resolved by the mesh: estimated error of Hc " + percent(of_Hc) + ", of Hm " +
-                                    percent(of_Hm) + " on " + std::to_string(last.nx) + " cells; " +
+    warnings.push_back({"mesh", "the mesh does not resolve the film: estimated error of Hc " + percent(of_Hc) +
+                                    ", of Hm " + percent(of_Hm) + " on " + std::to_string(last.nx) + " cells; " +
                                     (error > hardly_an_error ? "at least " : "") +
                                     std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
                                     " would bring both below 10 %"});
   if (std::abs(solution.domain_error_Hc) > starved)
     warnings.push_back(
-        {"domain", "inlet starved by the domain: on one twice as long and wide Hc differs by about " +
-                       percent(std::abs(solution.domain_error_Hc)) +
-                       " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half"});
+        {"domain",
+         "the domain is too short: on a domain twice as long and wide Hc differs by about " +
+             percent(std::abs(solution.domain_error_Hc)) +
+             " (an estimate), and larger domains may add as much again; move x_inlet upstream and widen y_half"});
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
   if (const double least = solution.verification.least_content; least < -worth_a_word_of_content)
     warnings.push_back(
         {"negative-content",
-         "the oil content is negative at its lowest, Q = " + number(least) + ", at " +
+         "the oil content is negative, its minimum is Q = " + number(least) + ", at " +
              std::to_string(nodes_below_zero(solution.Q)) +
-             " nodes, which no layer has: the mesh does not resolve the film beside the contact; use more cells"});
+             " nodes, which is not physical: the mesh does not resolve the film next to the contact; use more cells"});
   if (solution.swinging_nodes > 0)
     warnings.push_back(
-        {"edge-of-film",
-         "at " + std::to_string(solution.swinging_nodes) +
-             " nodes at the edge of the film the flux is of first order: with the second they are neither "
-             "wet nor dry; another number of cells may settle it"});
+        {"edge-of-film", "at " + std::to_string(solution.swinging_nodes) +
+                             " nodes at the edge of the film the flux is of first order, because they chatter between "
+                             "wet and dry with the second order; try another number of cells"});
   warn_of_passes(solution.passes, warnings);
   if (!solution.polish_failure.empty())
     warnings.push_back(
-        {"polish", "the polish did not reach rounding errors, the cycles' solution stays: " + solution.polish_failure});
+        {"polish", "the Newton refinement did not reach rounding errors; the solution of the cycles is kept: " +
+                       solution.polish_failure});
   if (const double lost = solution.error_bars.relief_unresolved; lost > 0.0)
-    warnings.push_back(
-        {"surfaces-unresolved",
-         "the mesh of " + std::to_string(last.nx) + " cells does not resolve the surfaces: half as many lose " +
-             percent(lost) +
-             " of the variance of their heights; the highest pressure belongs to this mesh and has no error "
-             "bar; use more cells"});
+    warnings.push_back({"surfaces-unresolved", "the mesh of " + std::to_string(last.nx) +
+                                                   " cells does not resolve the surfaces: half as many lose " +
+                                                   percent(lost) +
+                                                   " of the variance of their heights; the maximum pressure depends on "
+                                                   "the mesh and has no error bar; use more cells"});
   const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
   if (!scene.far_field && outlet > cut_off_pressure * P_max)
-    warnings.push_back({"outlet", "outlet too short: beside it the pressure is still " + percent(outlet / P_max) +
-                                      " of its maximum; move x_outlet downstream"});
+    warnings.push_back({"outlet", "the outlet is too short: the pressure next to the boundary is still " +
+                                      percent(outlet / P_max) + " of its maximum; move x_outlet downstream"});
   const double sides = largest_along_sides(solution);
   if (!scene.far_field && !contact::roller(scene.shape) && sides > cut_off_pressure * P_max)
-    warnings.push_back({"sides", "domain too narrow: beside its sides the pressure is still " + percent(sides / P_max) +
-                                     " of its maximum; widen y_half"});
+    warnings.push_back({"sides", "the domain is too narrow: the pressure next to its sides is still " +
+                                     percent(sides / P_max) + " of its maximum; widen y_half"});
   return warnings;
 }
 

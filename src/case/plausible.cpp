@@ -24,14 +24,13 @@ core::Warnings hardly_meant(const Case& input) {
   const Physics& physics = input.physics;
   if (std::abs(physics.srr) > surface_at_rest)
     warnings.push_back(
-        {"backwards", fmt::format("srr = {:.4g} is beyond +-2: surface {} moves backwards, against the entrainment",
+        {"backwards", fmt::format("srr = {:.4g} is outside -2 to 2: surface {} moves against the rolling direction",
                                   physics.srr, physics.srr > 0.0 ? 2 : 1)});
   if (const double at_ends = input.roller ? roller::bearing(*input.roller).at_ends : 0.0; at_ends > edge_that_cuts)
     warnings.push_back(
-        {"roller-edge",
-         fmt::format("cut into slices the ends of the roller bear {:.2g} of the mean load per length: edges that cut, "
-                     "which few meshes solve; let the profile fall further there",
-                     at_ends)});
+        {"roller-edge", fmt::format("edge loading: a slice model gives {:.2g} of the mean load per length at the ends "
+                                    "of the roller, which few meshes resolve; let the profile fall further there",
+                                    at_ends)});
   if (!physics.si) return warnings;
   const double eta0 = physics.si->contact.eta0;
   if (eta0 > thickest_oil)
@@ -41,7 +40,7 @@ core::Warnings hardly_meant(const Case& input) {
   for (const double u : {physics.si->u1, physics.si->u2})
     if (std::abs(u) > fastest_surface) {
       const std::string slip = input.machine
-                                   ? "are the lengths and speeds of [" + input.machine->section + "] in its units?"
+                                   ? "check the units of the lengths and speeds in [" + input.machine->section + "]"
                                    : "is it in mm/s?";
       warnings.push_back(
           {"fast", fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: {}", u, fastest_surface, slip)});
@@ -55,9 +54,10 @@ core::Warnings hardly_a_film(double h_c, double h_m) {
   // Without a film, the report says elsewhere that the mesh does not resolve it.
   if (least <= 0.0) return {};
   if (least < thinnest_film)
-    return {{"thin-film",
-             "the film is " + length(least) +
-                 " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"}};
+    return {
+        {"thin-film",
+         "the film is " + length(least) +
+             " at its minimum, thinner than a molecule of oil: mixed lubrication is likely, which is not computed"}};
   if (h_c > thickest_film)
     return {{"thick-film",
              "the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"}};

@@ -114,11 +114,10 @@ core::Warnings edge_warnings(const Distribution& found) {
   constexpr double bears = 0.1;  // share of the pressure in the middle
   const double at_ends = found.P_at_ends / found.middle.P_max;
   if (!(at_ends > bears)) return {};
-  return {
-      {"roller-edge", fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
-                                  "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
-                                  "profile fall further (a logarithmic one with [roller] design_load above 1)",
-                                  100.0 * at_ends)}};
+  return {{"roller-edge", fmt::format("edge loading: at the ends of the roller the pressure is {:.0f} % of that in the "
+                                      "middle, and bodies that end there are not half-spaces; let the profile fall "
+                                      "further (a logarithmic one with [roller] design_load above 1)",
+                                      100.0 * at_ends)}};
 }
 
 core::Warnings roller_warnings(const RollerResult& result) {
@@ -127,7 +126,7 @@ core::Warnings roller_warnings(const RollerResult& result) {
     warnings.push_back(
         {"roller-no-bar",
          result.solved
-             ? "half as many cells gave no solution: what happens at the ends has no error bar"
+             ? "half as many cells gave no solution: the values at the ends have no error bar"
              : "the contact was not solved: half as many cells are not tried, and the ends have no error bar"});
   return warnings;
 }

@@ -89,7 +89,7 @@ core::Warnings surface_warnings(const SurfaceInput& surfaces, const core::Grid& 
     if (left.variance_lost > worth_a_word)
       warnings.push_back({"map-lost", "the mesh loses " + percent(left.variance_lost) +
                                           " of the variance of the map on " + one->section +
-                                          ": its waves are shorter than the mesh can hold; use more cells"});
+                                          ": its waves are too short for the mesh; use more cells"});
   }
   return warnings;
 }

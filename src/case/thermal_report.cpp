@@ -114,39 +114,31 @@ core::Warnings thermal_warnings(const Case& input, const HeatResult& heat) {
                                           : "give [shear] law, or [friction] limit")});
   const double hottest = in.T0 * (1.0 + found.in_film.theta) - rheology::zero_celsius;
   if (hottest > rheology::hottest_oil)
-    list.push_back(
-        {"hot-film",
-         fmt::format("thermal: the film reaches {:.0f} C, and laws of viscosity were made for oils up to {:.0f} "
-                     "C: beyond it oil evaporates and cracks",
-                     hottest, rheology::hottest_oil)});
+    list.push_back({"hot-film", fmt::format("thermal: the film reaches {:.0f} C, but the viscosity laws hold up to "
+                                            "{:.0f} C: above this, oil evaporates and cracks",
+                                            hottest, rheology::hottest_oil)});
   if (found.spike_unresolved)
     list.push_back(
-        {"spike",
-         fmt::format(
-             "thermal: the mesh of {} cells does not resolve the pressure spike, under which the film is hotter on "
-             "finer meshes: T_film_max has no error bar; use more cells",
-             found.rows.back().nx)});
+        {"spike", fmt::format("thermal: the mesh of {} cells does not resolve the pressure spike, below which the film "
+                              "is hotter on finer meshes: T_film_max has no error bar; use more cells",
+                              found.rows.back().nx)});
   if (found.nahme > most_per_interval * in.setup.intervals)
-    list.push_back(
-        {"thermal-nodes",
-         fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the film do not resolve "
-                     "to 1e-3: give more [thermal] nodes",
-                     found.nahme, in.setup.intervals + 1)});
+    list.push_back({"thermal-nodes", fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the "
+                                                 "film do not resolve to 1e-3: raise [thermal] nodes",
+                                                 found.nahme, in.setup.intervals + 1)});
   const struct {
     const char* name;
     const thermal::Body& body;
   } bodies[] = {{"1", in.setup.body_1}, {"2", in.setup.body_2}};
   for (const auto& [name, body] : bodies)
     if (body.Pe == 0.0)
-      list.push_back(
-          {"at-rest",
-           fmt::format("thermal: surface {} stands still: the temperature is that after a long time, of a body "
-                       "as large as a half space",
-                       name)});
+      list.push_back({"at-rest", fmt::format("thermal: surface {} stands still: the temperature is that after a long "
+                                             "time, for a body as large as a half-space",
+                                             name)});
     else if (in.setup.lines && body.Pe < (input.scene.grid.line ? low_peclet_of_line : low_peclet))
       list.push_back({"slow-surface",
-                      fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: lines overstate its "
-                                  "temperature by more than a tenth; give [thermal] solids = full",
+                      fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: solids = lines "
+                                  "overestimates its temperature by more than a tenth; set [thermal] solids = full",
                                   name, body.Pe)});
   return list;
 }

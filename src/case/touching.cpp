@@ -64,10 +64,9 @@ std::string why_they_touch(const Case& input) {
   const double Sq = roughness_on_mesh(input);
   if (!(Sq > film)) return {};
   return fmt::format(
-      "the surfaces touch: what was measured is rough by Sq = {}, above the smallest film that smooth surfaces have, "
-      "{} (lambda ratio {:.2g}), and contact between asperities is not simulated; take short waves away with {}, or "
-      "use "
-      "a smooth {}. After the first start no other strategy was tried; [continuation] path = load tries longer",
+      "the surfaces touch: the measured roughness Sq = {} exceeds the smallest film of smooth surfaces, {} (lambda "
+      "ratio {:.2g}), and asperity contact is not computed; remove short waves with {}, or use a smooth {}. Only the "
+      "first strategy was tried; [continuation] path = load tries more",
       height_text(input, Sq), height_text(input, film), film / Sq,
       input.roller && input.roller->trace.rough > 0.0 ? "[roller] shortest_wave" : "shortest_wave of the map",
       input.roller ? "profile" : "surface");

@@ -29,14 +29,13 @@ void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& 
   if (std::max(way.from, way.to) + ahead >= inlet) return;
   const double arrival = time_to_move(one, *input.transient, inlet - ahead - way.from);
   const std::string remedy = std::isnan(arrival)
-                                 ? "it does not move towards it: choose x closer to the contact, or another speed"
+                                 ? "it does not move towards the contact: choose x closer to it, or another speed"
                                  : "it would at time " + in_unit_of_deck(input, arrival) +
                                        ": give a longer end_time, or x closer to the contact";
-  warnings.push_back({"late-feature",
-                      fmt::format("{} on {} does not reach the contact: its middle is at x = {:.4g} a at time 0 and at "
-                                  "x = {:.4g} a at the end, {}; {}",
-                                  one.shape, one.section, way.from, way.to,
-                                  in_unit_of_deck(input, input.transient->parameters.end), remedy)});
+  warnings.push_back({"late-feature", fmt::format("{} on {} does not reach the contact: its centre is at x = {:.4g} a "
+                                                  "at time 0 and at x = {:.4g} a at the end, {}; {}",
+                                                  one.shape, one.section, way.from, way.to,
+                                                  in_unit_of_deck(input, input.transient->parameters.end), remedy)});
 }
 
 // Warns of a moving feature on a mesh that is too coarse for it.
@@ -49,11 +48,11 @@ void warn_of_coarse(const Case& input, const CarriedSurface& one, core::Warnings
   const double cells = feature->width / (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy()));
   if (cells >= wanted) return;
   warnings.push_back(
-      {"coarse-feature", fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its "
-                                     "amplitude in the film and its pressure belong to this mesh; use at least {:.0f} "
-                                     "cells",
-                                     one.shape, one.section, cells, waves ? "wavelength" : "width", wanted,
-                                     std::ceil(grid.nx * wanted / cells))});
+      {"coarse-feature",
+       fmt::format("{} on {} has {:.2g} cells across its {}, and a moving feature needs {:g}: its amplitude in the "
+                   "film and its pressure depend on the mesh; use at least {:.0f} cells",
+                   one.shape, one.section, cells, waves ? "wavelength" : "width", wanted,
+                   std::ceil(grid.nx * wanted / cells))});
 }
 
 }  // namespace

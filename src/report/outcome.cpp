@@ -34,10 +34,9 @@ core::Warnings warnings_of(const Physics& physics, const steady::Solution& solut
        rheology::out_of_range(physics.viscosity, physics.density, {.P_max = P_max, .p_h = physics.p_h, .eta0 = eta0}))
     warnings.push_back(std::move(warning));
   if (physics.groups.L == 0.0 && !std::holds_alternative<rheology::Isoviscous>(physics.viscosity))
-    warnings.push_back(
-        {"no-load",
-         "L = 0 is the limit in which no pressure arises that would change the lubricant: solved as isoviscous and "
-         "incompressible"});
+    warnings.push_back({"no-load",
+                        "L = 0 is the limit without pressures that would change the lubricant: solved as isoviscous "
+                        "and incompressible"});
   if (std::optional<core::Warning> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
   return warnings;
 }

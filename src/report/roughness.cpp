@@ -68,10 +68,10 @@ std::optional<core::Warning> roughness_warning(const Case& input, const std::opt
   return core::Warning{
       "lambda",
       fmt::format(
-          "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; {}",
+          "lambda ratio {:.2g} is below {:g}: the film {} is too thin to separate surfaces of roughness Sq = {}; {}",
           roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
           height(input, roughness->Sq),
-          touch ? "they touch, and contact between asperities is not simulated" : "mixed lubrication is likely")};
+          touch ? "they touch, and asperity contact is not computed" : "mixed lubrication is likely")};
 }
 
 }  // namespace ehl::program

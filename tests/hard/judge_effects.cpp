@@ -59,7 +59,7 @@ std::vector<std::string> faults_of_starvation(const std::string& json) {
   const std::string own = json_member(json, "starvation");
   if (own.empty()) return faults;
   expect_number(faults, own, "oil_in");
-  if (json.find("no starvation factor") != std::string::npos) {
+  if (json.find("there is no starvation factor") != std::string::npos) {
     expect(faults, json_member(own, "starvation_factor") == "null", "no flooded contact, no factor");
   } else {
     for (const char* name : {"starvation_factor", "supply_ratio"}) expect_number(faults, own, name);

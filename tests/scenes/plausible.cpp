@@ -41,14 +41,14 @@ BOOST_AUTO_TEST_CASE(units_that_were_mistaken_are_told) {
   };
   says(ball("123e9", "0.01", "250"), {"warning: eta0 = 250 Pa s is above 100 Pa s", "mPa s?"});
   says(ball("123e9", "500", "0.001"), {"warning: a surface moves with 500 m/s, above 200 m/s", "mm/s?"});
-  says(ball("123e9", "0.5", "0.08", "srr = 3\n"), {"warning: srr = 3 is beyond +-2: surface 2 moves backwards"});
+  says(ball("123e9", "0.5", "0.08", "srr = 3\n"), {"warning: srr = 3 is outside -2 to 2: surface 2 moves against"});
   says(ball("123e9", "100", "0.5"), {"at the centre, above 10 um"});
   says(ball("123e9", "1e-3", "0.005"), {"thinner than a molecule of oil"});
   says(
       "[case]\nkind = ball_race\n[bearing]\ndiameter = 9.525e-3\npitch_diameter = 46\nrace = inner\nconformity = 0.52\n"
       "load = 500\nrpm_inner = 3000\n[contact]\nE1 = 208e9\nnu1 = 0.3\nE2 = 208e9\nnu2 = 0.3\n"
       "[lubricant]\nfluid = mineral-vg68\ntemperature = 70\n",
-      {"lengths and speeds of [bearing]"});
+      {"lengths and speeds in [bearing]"});
   BOOST_TEST(!contains(says(ball("123e9", "0.5", "0.08"), {}), "warning"));
 }
 

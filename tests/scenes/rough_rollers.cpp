@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
   folder.write("p.csv", trace(0.25));
   const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
   BOOST_TEST(ended.status == 3, ended.out + ended.err);
-  BOOST_TEST(ended.says({"the surfaces touch", "lambda ratio", "not simulated", "[roller] shortest_wave"}), ended.err);
+  BOOST_TEST(ended.says({"the surfaces touch", "lambda ratio", "not computed", "[roller] shortest_wave"}), ended.err);
   BOOST_TEST(count(ended.out, "tried before") == 1, ended.out);
   BOOST_TEST(support::contains(ended.out, ", dry -; "), ended.out);  // no dry contact is solved beside it
   BOOST_TEST(support::contains(support::ehl(folder, "extract d.h5 /summary").out, "surfaces touch"));

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   folder.write("d.ini", contact + grid + lines);
   const support::Ended late = support::ehl(folder, "run d.ini --quiet");
   BOOST_TEST_REQUIRE(late.status == 0, late.err);
-  BOOST_TEST(contains(late.out, "warning: dimple on surface1 does not reach the contact: its middle is at x = -6 a"));
+  BOOST_TEST(contains(late.out, "warning: dimple on surface1 does not reach the contact: its centre is at x = -6 a"));
   // The speed is 1, and the front half a radius ahead: 4.5 a/u_m to the edge of the contact.
   BOOST_TEST(contains(late.out, "at x = -5.7 a at the end, 0.3 a/u_m; it would at time 4.5 a/u_m"), late.out);
   const support::Ended checked = support::ehl(folder, "check d.ini");
@@ -140,13 +140,14 @@ BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   BOOST_TEST(contains(stands.out, "it would at time 4.5 a/u_m"), stands.out);
   const support::Ended never =
       support::ehl(folder, "check d.ini --set 'transient.u1=0:1 0.1:0' --set 'transient.u2=0:1'");
-  BOOST_TEST(contains(never.out, "does not move towards it"), never.out);
+  BOOST_TEST(contains(never.out, "does not move towards the contact"), never.out);
   const support::Ended there = support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7");
   BOOST_TEST(!contains(there.out, "does not reach"));
-  BOOST_TEST(contains(there.out, "warning: dimple on surface1 has 5.3 cells for its width where 8 are wanted"));
+  BOOST_TEST(
+      contains(there.out, "warning: dimple on surface1 has 5.3 cells across its width, and a moving feature needs 8"));
   const support::Ended fine =
       support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7 --set surface1.width=0.8");
-  BOOST_TEST(!contains(fine.out, "are wanted"));
+  BOOST_TEST(!contains(fine.out, "a moving feature needs"));
 }
 
 // The numbers of every step, the fields at the times asked for, and the text of the summary.

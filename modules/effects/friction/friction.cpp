@@ -143,11 +143,11 @@ core::Warnings warnings(const Friction& friction) {
   if (!unlikely(friction)) return {};
   return {{"shear-stress",
            fmt::format(
-               "friction: on {:.0f} % of the load the shear stress is above {:.2f} p, which no lubricant carries: {}",
+               "friction: on {:.0f} % of the load the shear stress exceeds {:.2f} p, which no lubricant carries: {}",
                100.0 * friction.unlikely_share, largest_limit,
                friction.thinned
                    ? "check the shear law, or give [friction] limit"
-                   : "a Newtonian oil does not describe this friction: give [shear] law, or [friction] limit")}};
+                   : "a Newtonian oil does not describe this friction; give [shear] law, or [friction] limit")}};
 }
 
 }  // namespace ehl::friction

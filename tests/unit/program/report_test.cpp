@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(warnings_that_need_the_scale_of_pressure) {
   BOOST_TEST(warnings(1.1e9).size() == 1u);
   BOOST_TEST(contains(warnings(1.1e9).front().text, "p_max = 0.55 GPa"));
   BOOST_TEST(warnings(4e9).size() == 2u);
-  BOOST_TEST(contains(warnings(4e9).back().text, "beyond the yield of steel"));
+  BOOST_TEST(contains(warnings(4e9).back().text, "exceeds the yield limit of steel"));
 }
 
 BOOST_AUTO_TEST_CASE(json_texts) {

@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
     return warnings.size() == 1 && warnings[0].text.find(word) != std::string::npos;
   };
   solution.error_bars.Hm.discretization = 0.3;
-  BOOST_TEST(warned("not resolved"));
+  BOOST_TEST(warned("does not resolve"));
   // 0.3 becomes 0.075 after one halving of the mesh for second order, and after two for first order.
   solution.levels.back().nx = 96;
   BOOST_TEST(warned("192 would bring"));
@@ -172,12 +172,12 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.levels.back() = {.nx = 128, .error_Hc = unknown, .error_Hm = unknown};
   BOOST_TEST(warned("single level; use at least 256 cells"));
   solution.levels.back().Hm_fitted = -1e-4;
-  BOOST_TEST(warned("negative between the nodes"));
+  BOOST_TEST(warned("between the nodes and is negative"));
   solution.levels.back().Hm_fitted = 1e-2;
   solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
   solution.error_bars.Hm.discretization = 0.02;
   solution.domain_error_Hc = 0.03;
-  BOOST_TEST(warned("starved"));
+  BOOST_TEST(warned("too short"));
   solution.domain_error_Hc = 0.001;
   solution.P(15, 8) = 0.01;
   BOOST_TEST(warned("outlet"));
