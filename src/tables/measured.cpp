@@ -19,7 +19,7 @@ void check(const deck::ColumnRow& row, std::size_t k, double least, double most,
     throw core::FileError(fmt::format("{}: {:g}: {} must be a number from {:g} to {:g}{}", row.place, row.values[k],
                                       what, least, most,
                                       k == 0   ? "; for values in per cent, use the heading 'SRR [%]'"
-                                      : k == 1 ? "; where it is in per cent, name it 'mu [%]' in the heading"
+                                      : k == 1 ? "; for values in per cent, use the heading 'mu [%]'"
                                                : ""));
 }
 

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(every_file_that_a_deck_names_is_known) {
     scene.folder.write(one.file, "# again\n" + one.content);
     const support::Ended changed = scene.ehl(sweep);
     BOOST_TEST(changed.status == 4, one.file << " changed, and the sweep ends with " << changed.status);
-    BOOST_TEST(changed.says({"is the table of another sweep", one.file}), changed.err);
+    BOOST_TEST(changed.says({"belongs to another sweep", one.file}), changed.err);
   }
 }
 

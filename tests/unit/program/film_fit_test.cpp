@@ -81,9 +81,9 @@ BOOST_AUTO_TEST_CASE(the_accuracy_in_the_report_is_that_of_oils_by_name) {
     const contact::MapScatter told = contact::scatter_of_other_oils();
     std::ostringstream wanted;
     wanted.precision(1);
-    wanted << std::fixed << "off by " << 100.0 * told.rms_central << " % in h_c and " << 100.0 * told.rms_minimum
-           << " % in h_m (rms; " << static_cast<int>(std::ceil(100.0 * told.largest_central)) << " and "
-           << static_cast<int>(std::ceil(100.0 * told.largest_minimum)) << " % at most)";
+    wanted << std::fixed << "is " << 100.0 * told.rms_central << " % in h_c and " << 100.0 * told.rms_minimum
+           << " % in h_m (root mean square; at most " << static_cast<int>(std::ceil(100.0 * told.largest_central))
+           << " and " << static_cast<int>(std::ceil(100.0 * told.largest_minimum)) << " %)";
     BOOST_TEST(contains(line, wanted.str()), line << " and not " << wanted.str());
   }
   const contact::MapScatter told = contact::scatter_of_other_oils();
