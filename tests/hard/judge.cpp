@@ -46,9 +46,9 @@ class Judge {
     expect(ran.status == 2 || ran.status == 4 || checked.status == 0, "check takes what run takes: " + checked.err);
     if (sampled && ran.status == 0) {
       read_back(ran);
-      read_reports();
       repeat_on_other_threads(ran);
     }
+    if (sampled && (ran.status == 0 || ran.status == 3)) read_reports();
     return verdict_;
   }
 
