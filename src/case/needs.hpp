@@ -31,8 +31,8 @@ void bound_accuracy(Case& input);
 /// Adds an error to the deck if the machine lacks the memory for the case.
 void check_memory(Case& input);
 
-/// What the estimated time of a steady contact leaves out, as the end of its line: how much longer measured roughness
-/// makes it is not estimated. Empty if the film is more than ten times as thick as the roughness.
+/// How the roughness of a steady contact enters its estimated time, as the end of the line that reports it. Empty if
+/// the surfaces are smooth for their film.
 std::string what_needs_leave_out(const Case& input);
 
 }  // namespace ehl::program
