@@ -119,8 +119,9 @@ double time_of_roughness(const Case& input) {
 Needs expected_needs(const Case& input) {
   steady::Scene scene = input.scene;
   if (!input.dry) scene.grid = foretold_grid(scene);
-  Needs needs = with_effects(input, basic_needs(scene));
-  needs.seconds *= time_of_roughness(input);
+  Needs basic = basic_needs(scene);
+  basic.seconds *= time_of_roughness(input);
+  Needs needs = with_effects(input, basic);
   if (!input.dry && !std::isnan(scene.accuracy.error) && scene.accuracy.domain_is_free)
     for (const steady::Scene& coarse : steady::domain_series(input.scene)) needs.seconds += basic_needs(coarse).seconds;
   return needs;
