@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(check_tells_the_roughness_beside_the_film) {
   folder.write("p.csv", trace(0.0));
   const std::string smooth = support::ehl(folder, "check d.ini").out;
   BOOST_TEST(!support::contains(smooth, "warning: lambda ratio"));
-  BOOST_TEST(!support::contains(smooth, "smooth surfaces"), smooth);
+  BOOST_TEST(!support::contains(smooth.substr(smooth.find("\nneeds ")), "smooth surfaces"), smooth);
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
