@@ -116,6 +116,8 @@ Measures measures(const Subject& subject) {
           .flow_through = contact.through,
           .flow_imbalance = contact.imbalance(),
           .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance(),
+          .least_content = fields.content != nullptr ? core::minimum(*fields.content).value
+                                                     : std::numeric_limits<double>::quiet_NaN(),
           .oil_imbalance =
               reynolds::conserves(cavitation) ? reynolds::oil_balance(grid, fields, transport).imbalance() : 0.0};
 }

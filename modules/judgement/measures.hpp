@@ -1,5 +1,6 @@
 #pragma once
 // The numbers by which a state is judged.
+#include <limits>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -29,7 +30,9 @@ struct Measures {
   double flow_through = 0.0;    ///< flow through the contact: integral of rho_bar H over |Y| <= 1 at X = 0
   double flow_imbalance = 0.0;  ///< net outflow of the pressurised region within |X|, |Y| <= 1.5, over flow_through
   double flow_imbalance_whole = 0.0;  ///< net outflow of the whole pressurised region, over flow_through
-  double oil_imbalance = 0.0;         ///< net outflow of the domain over its inflow, with the mass conserving model
+  /// Smallest oil content Q of all nodes; NaN without the mass conserving model.
+  double least_content = std::numeric_limits<double>::quiet_NaN();
+  double oil_imbalance = 0.0;  ///< net outflow of the domain over its inflow, with the mass conserving model
 };
 
 /// The weights of the nodes in the value at (X, Y), as in value_at().

@@ -31,6 +31,8 @@ constexpr double worst_factor = 0.9;
 constexpr double best_factor_at_first = 0.5;
 /// Relative rounding error of Hc and Hm.
 constexpr double rounding = 1e-11;
+/// An oil content below zero by more than this share of the film is more than rounding.
+constexpr double rounding_of_content = 1e-10;
 /// The cycles on the first grid may stop when the last one changed Hc and Hm by less than this, far less than such a
 /// grid's discretization error, after at least this many cycles.
 constexpr double settled_change = 1e-3;
@@ -101,6 +103,9 @@ std::string unmet_film(const LastCycle& cycle) {
 }
 
 std::string unmet_oil(const Measures& now) {
+  if (now.least_content < -rounding_of_content * std::abs(now.Hc))
+    return "the oil content is negative at its lowest, Q = " + text(now.least_content) +
+           ": the mesh is too coarse for this film; use more cells";
   if (std::abs(now.oil_imbalance) <= largest_oil_imbalance) return {};
   return "oil is not conserved: the imbalance is " + text(now.oil_imbalance) + " of the inflow, above " +
          text(largest_oil_imbalance) + "; raise max_cycles or use a finer grid";

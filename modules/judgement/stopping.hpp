@@ -37,7 +37,8 @@ double foretold_error(const LastCycle& cycle, double Measures::*value);
 ///   1e-4 if that is larger.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
 
-/// The failed check of the oil balance of a steady film, as a sentence; empty if it balances to largest_oil_imbalance.
+/// The failed check of the oil of a steady film, as a sentence; empty if it balances to largest_oil_imbalance and the
+/// oil content is nowhere negative.
 std::string unmet_oil(const Measures& now);
 
 /// The failed check of a level below the finest, whose solution is only a start: positive film, and the algebraic error

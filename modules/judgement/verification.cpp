@@ -14,6 +14,7 @@ Verification verification_of(const LastCycle& cycle) {
           .largest_residual_X = now.largest_residual_X,
           .largest_residual_Y = now.largest_residual_Y,
           .least_P = now.least_P,
+          .least_content = now.least_content,
           .dry_violation = now.dry_violation,
           .load_error = now.load_error,
           .change_Hc = change(cycle.before.Hc, now.Hc),

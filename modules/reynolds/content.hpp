@@ -6,7 +6,9 @@
 //   phi_i = 1 where i-1 is full, else 0 (upstream1: always 0);   Fl_{1/2} = (Q_0 + Q_1)/2 where 0 is full, else Q_0
 //
 // In an implicit time step F_i also loses c Q_i, and the known part of dQ/dT is in f: a cavitated point keeps a part of
-// what flows into it. upstream3 adds its third-order flux, computed from rho_bar H, where i-1 is full.
+// what flows into it. upstream3 adds its third-order flux, computed from rho_bar H, where i-1 is full. A cavitated
+// point carries the share Q_i/(rho_bar H) of that flux: on few cells the gap behind the film opens by many times the
+// content, and all of the flux would make the content negative.
 //
 // No row depends on whether its own point is full, so that its residual is continuous as the point changes between full
 // and cavitated. Other fluxes have no discrete solution, and their cavitated nodes chatter: that of upstream2 at an
@@ -50,7 +52,12 @@ class March {
     theta_ = {(full1_ & smooth2_) ? theta.west : none, smooth1_ ? theta.east : none};
     flux_ += first_ * (full - Q_);
     behind_ = full + lead * (full - Q_);
-    if (third_order_) behind_ += third_order_part(theta_.east, Q_, full, east);
+    carries_ = 1.0 + lead;
+    if (third_order_) {
+      const Number third = third_order_part(theta_.east, Q_, full, east);
+      behind_ += third;
+      carries_ += full > 0.0 ? third / full : none;
+    }
     lead_west_ = lead_;
     lead_ = lead;
     return per_step_ * (behind_ - flux_) - (inflow - squeeze_ * full);
@@ -100,12 +107,12 @@ class March {
 
  private:
   /// dr_i/dQ_i of a cavitated point.
-  Number of_content() const { return per_step_ * (1.0 + lead_ - first_) + squeeze_; }
+  Number of_content() const { return per_step_ * (carries_ - first_) + squeeze_; }
 
   void pass(Number Q, Number lost, Mask first_order) {
-    if (squeeze_ > 0.0) returns_ = per_step_ * (1.0 + lead_ - first_) / of_content();
+    if (squeeze_ > 0.0) returns_ = per_step_ * (carries_ - first_) / of_content();
     Q_ = Q;
-    flux_ = behind_ - (1.0 + lead_) * lost;
+    flux_ = behind_ - carries_ * lost;
     smooth2_ = smooth1_;
     full1_ = lost <= 0.0;
     smooth1_ = full1_ & (first_order == Mask{});
@@ -119,6 +126,7 @@ class March {
   Mask full1_;                       // i-1
   Mask smooth1_, smooth2_;           // i-1 and i-2: the flux downstream of the next point is of higher order
   Number behind_{};                  // flux downstream of i if i is full
+  Number carries_{};                 // derivative of that flux with respect to the content of i if i is cavitated
   Number lead_{}, lead_west_{};      // phi/2 of i and i-1
   Number first_{};                   // share of i = 1 in the flux through the first face
   Number returns_ = Number{} + 1.0;  // share of the back flow into i-1 that returns
@@ -151,8 +159,9 @@ template <class Column, class Gap>
 double carried_content(Wedge wedge, int i, Column Q, Gap full, double theta, bool first_order) {
   if (i == 0) return Q(0) >= full(0) ? carried(wedge, 0, Q) : Q(0);
   if (first_order || Q(i - 1) < full(i - 1)) return Q(i);
-  const double third = third_order(wedge) ? third_order_part(theta, Q(i - 1), full(i), full(i + 1)) : 0.0;
-  return carried(wedge, i, Q) + third;
+  if (!third_order(wedge)) return carried(wedge, i, Q);
+  const double filled = Q(i) < full(i) && full(i) > 0.0 ? Q(i) / full(i) : 1.0;
+  return carried(wedge, i, Q) + filled * third_order_part(theta, Q(i - 1), full(i), full(i + 1));
 }
 
 }  // namespace ehl::reynolds

@@ -16,15 +16,6 @@ constexpr double cut_off_pressure = 1e-3;
 /// Change of Hc on the double domain above which a warning is given.
 constexpr double starved = 0.01;
 
-/// Oil content in units of H: below minus this it is negative by more than rounding.
-constexpr double worth_a_word_of_content = 1e-6;
-
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g", value);
-  return buffer;
-}
-
 std::string percent(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, value < 1.0 ? "%.2g %%" : "%.0f %%", 100.0 * value);
@@ -43,13 +34,6 @@ double largest_along_sides(const Solution& solution) {
   for (int i = 0; i <= solution.grid.nx; ++i)
     largest = std::max({largest, solution.P(i, 1), solution.P(i, solution.grid.ny - 1)});
   return largest;
-}
-
-int nodes_below_zero(const core::Field& Q) {
-  int nodes = 0;
-  for (int i = 0; i < Q.nodes_x(); ++i)
-    for (int j = 0; j < Q.nodes_y(); ++j) nodes += Q(i, j) < -worth_a_word_of_content ? 1 : 0;
-  return nodes;
 }
 
 void warn_of_supply(const Starvation& found, core::Warnings& warnings) {
@@ -146,12 +130,6 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
              percent(std::abs(solution.domain_error_Hc)) +
              " (an estimate), and larger domains may add as much again; move x_inlet upstream and widen y_half"});
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
-  if (const double least = solution.verification.least_content; least < -worth_a_word_of_content)
-    warnings.push_back(
-        {"negative-content",
-         "the oil content is negative, its minimum is Q = " + number(least) + ", at " +
-             std::to_string(nodes_below_zero(solution.Q)) +
-             " nodes, which is not physical: the mesh does not resolve the film next to the contact; use more cells"});
   if (solution.swinging_nodes > 0)
     warnings.push_back(
         {"edge-of-film", "at " + std::to_string(solution.swinging_nodes) +

@@ -152,6 +152,18 @@ BOOST_AUTO_TEST_CASE(passes_that_make_no_sense_are_refused) {
   refused(folder, contact, "H_oil = 0.2\npasses = 2\nreturning = surface1\nsplit = 1.4\n", "split");
 }
 
+// A heavy contact on few cells: behind the film the gap opens by many times the film thickness from node to node.
+BOOST_AUTO_TEST_CASE(the_oil_content_is_never_negative) {
+  const TemporaryFolder folder;
+  const auto found = solved(folder,
+                            "[contact]\nM = 3000\nL = 5\nradius_ratio = 0.2\n[lubricant]\nalpha = 2.2e-8\nz = "
+                            "0.68\n[grid]\ncells = 64\n",
+                            "H_oil = 0.0021\n");
+  const double least = found["verification"]["least_content"].get<double>();
+  BOOST_TEST_MESSAGE("least content " << least << " at a supply of 0.0021 (at least a tenth of it)");
+  BOOST_TEST(least >= 2.1e-4);
+}
+
 // In time: each layer moves with its own surface, the oil is balanced, and the fields include the oil content.
 BOOST_AUTO_TEST_CASE(supply_in_time) {
   const TemporaryFolder folder;

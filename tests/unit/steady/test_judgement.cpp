@@ -75,6 +75,15 @@ BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asympt
   BOOST_TEST(estimate_error(std::vector<double>{0.2, 0.21}, 2.0).relative_error > 0.01 / 3.0 / 0.21);
 }
 
+BOOST_AUTO_TEST_CASE(an_oil_content_below_zero_is_no_solution) {
+  Measures now = good_cycle().after;
+  BOOST_TEST(unmet_oil(now).empty());  // of a contact without a content
+  now.least_content = -1e-13;
+  BOOST_TEST(unmet_oil(now).empty());
+  now.least_content = -6.7e-4;
+  BOOST_TEST(unmet_oil(now).find("oil content is negative at its lowest, Q = -6.70e-04") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_good_last_cycle_passes) {
   BOOST_TEST(unmet_check(good_cycle(), unknown).empty());
   BOOST_TEST(unmet_check(good_cycle(), 1e-3).empty());
