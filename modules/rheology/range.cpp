@@ -38,20 +38,33 @@ void judge(const Barus& law, const Loading& loading, core::Warnings& found) {
                                       state_of_oil(loading, log_eta, law.alpha_bar), range)});
 }
 
+double log_viscosity_of_glass(const Loading& loading) {
+  return std::isfinite(loading.eta0) ? std::log(glass_viscosity / loading.eta0) : glass_log_viscosity;
+}
+
+bool is_glass(const Roelands& law, const Loading& loading) {
+  return log_viscosity_at(law, loading.P_max) > log_viscosity_of_glass(loading);
+}
+bool is_glass(const Doolittle& law, const Loading& loading) { return loading.P_max > law.u_glass / law.p_h_over_K0; }
+bool is_glass(const Yasutomi& law, const Loading& loading) { return loading.P_max > law.p_glass / law.p_h; }
+template <class Other>
+bool is_glass(const Other&, const Loading&) {
+  return false;
+}
+
 void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
   const double log_eta = log_viscosity_at(law, loading.P_max);
   const double p_max = loading.P_max * loading.p_h;
   const double alpha_bar = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
   const bool known = std::isfinite(loading.eta0);
-  const double glass = known ? std::log(glass_viscosity / loading.eta0) : glass_log_viscosity;
   const std::string state = state_of_oil(loading, log_eta, alpha_bar);
   const std::string oil = known ? fmt::format("eta0 = {:.3g}", loading.eta0) : "an eta0 of 0.1";
-  if (log_eta > glass)
+  if (is_glass(law, loading))
     found.push_back(
         {"viscosity-range", fmt::format("Roelands' law is used outside its range: {}; with {} Pa s the oil is a glass "
                                         "({:.0e} Pa s) above {:.3g} and shears as a solid. The film is formed in the "
                                         "inlet and changes little, but friction cannot be computed from this law",
-                                        state, oil, glass_viscosity, glass)});
+                                        state, oil, glass_viscosity, log_viscosity_of_glass(loading))});
   else if (p_max > roelands_pressure)
     found.push_back(
         {"viscosity-range",
@@ -61,8 +74,7 @@ void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
 }
 
 // Warns of a law that is continued along its tangent beyond the glass transition.
-void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading, core::Warnings& found) {
-  if (!(loading.P_max > P_glass)) return;
+void warn_of_glass(const char* law, double P_glass, double log_eta, const Loading& loading, core::Warnings& found) {
   found.push_back(
       {"viscosity-range", fmt::format("{} law is used outside its range: {} ln(eta/eta0) = {:.3g}; the oil is a glass "
                                       "above {}, where the law is continued along its tangent. The film is formed in "
@@ -71,11 +83,13 @@ void judge_glass(const char* law, double P_glass, double log_eta, const Loading&
 }
 
 void judge(const Doolittle& law, const Loading& loading, core::Warnings& found) {
-  judge_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity_at(law, loading.P_max), loading, found);
+  if (is_glass(law, loading))
+    warn_of_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
 void judge(const Yasutomi& law, const Loading& loading, core::Warnings& found) {
-  judge_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity_at(law, loading.P_max), loading, found);
+  if (is_glass(law, loading))
+    warn_of_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
 void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading, core::Warnings& found) {
@@ -119,6 +133,10 @@ core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& den
   std::visit([&](const auto& law) { judge(law, loading, found); }, viscosity);
   std::visit([&](const auto& law) { judge(law, loading, found); }, density);
   return found;
+}
+
+bool glass(const ViscosityLaw& viscosity, const Loading& loading) {
+  return std::visit([&](const auto& law) { return is_glass(law, loading); }, viscosity);
 }
 
 }  // namespace ehl::rheology

@@ -40,4 +40,7 @@ inline constexpr double dowson_higginson_pressure = 2e9;
 /// limits: isoviscous, incompressible, Tait and Murnaghan have no pressure range.
 core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading);
 
+/// True where the oil is a glass at the highest pressure: by the laws of which the list above says so.
+bool glass(const ViscosityLaw& viscosity, const Loading& loading);
+
 }  // namespace ehl::rheology

@@ -104,9 +104,7 @@ Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Tr
 // Criterion that a pass does not meet; empty if it meets all.
 std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const LastCycle& last,
                      const Parameters& parameters) {
-  if (pass.undone)
-    return "the film cannot be solved at its temperature: no cycle converges from this iteration on; use more cells, "
-           "or less sliding";
+  if (pass.undone) return "the film cannot be solved at its temperature: no cycle converges from this iteration on";
   if (balance.clipped) return "the temperature has reached its bounds";
   if (pass.change > 1.0)
     return fmt::format("film, friction or temperature still change by {:.1f} times the tolerance of one iteration",
