@@ -10,6 +10,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Safety factors with two levels and with more; 1.25 is also Roache's factor for three grids. [bench: safety]
 constexpr double safety_of_two = 1.5;
 constexpr double safety = 1.25;
+/// The last change is the difference of cancelling errors if it is smaller by this power of two than the scheme's order
+/// predicts from the change before it. [bench: cancelled_change]
+constexpr double cancelled_change = 2.5;
 /// Error of the first-order wedge over h/Hm^(2/3). [bench: first_order_share]
 constexpr double first_order_share = 0.35;
 /// Upper bound on the error of the second-order wedge over (h/Hm^(2/3))^2, for a single grid.
@@ -23,7 +26,8 @@ double step_in_zones(double h, double Hm) {
 
 }  // namespace
 
-ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least) {
+ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least,
+                             std::optional<double> slowest_order) {
   const std::size_t n = values.size();
   if (n < 2) return {nan, nan};
   const double last_change = values[n - 1] - values[n - 2];
@@ -31,12 +35,22 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   if (n > 2) observed = std::log2((values[n - 2] - values[n - 3]) / last_change);
   double order = scheme_order;
   const double lowest_order = 0.5 * scheme_order;
-  if (n > 2) order = std::isfinite(observed) ? std::clamp(observed, lowest_order, scheme_order) : lowest_order;
+  if (n > 2)
+    order = std::isfinite(observed) ? std::clamp(observed, slowest_order.value_or(lowest_order), scheme_order)
+                                    : lowest_order;
   const double factor = n > 2 ? safety : safety_of_two;
-  // Changes that fall much faster than the scheme's order are about to change sign.
-  const double change =
-      n > 2 ? std::max(std::abs(last_change), std::abs(values[n - 2] - values[n - 3]) / std::exp2(scheme_order + 1.0))
-            : std::abs(last_change);
+  double change = std::abs(last_change);
+  if (n > 2) {
+    const double before = std::abs(values[n - 2] - values[n - 3]);
+    if (change < before / std::exp2(scheme_order + cancelled_change)) {
+      // Such changes have no order, and the next change may be as large as the one before.
+      change = before / std::exp2(scheme_order);
+      order = lowest_order;
+    } else {
+      // Changes that fall much faster than the scheme's order are about to change sign.
+      change = std::max(change, before / std::exp2(scheme_order + 1.0));
+    }
+  }
   const double error = factor * std::abs(change / (std::exp2(order) - 1.0) / values[n - 1]);
   return {std::max(error, least), observed};
 }

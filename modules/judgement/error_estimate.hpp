@@ -1,6 +1,7 @@
 #pragma once
 // The discretization error of a film thickness, estimated from the sequence of grids.
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace ehl::judgement {
@@ -16,9 +17,13 @@ struct ErrorEstimate {
 /// whose differences change sign, must not promise more than the scheme can give. With two values p is the scheme's
 /// order.
 /// The last change counts as at least 2^-(scheme's order + 1) of the one before: differences that are about to change
-/// sign are small by accident. s is the safety factor, 1.25 for three values or more and 1.5 for two. [bench: safety]
+/// sign are small by accident. Errors of opposite sign cancel in a change that is smaller by another factor of 2^1.5;
+/// then the change counts as 2^-(scheme's order) of the one before, and p is half the scheme's order. s is the safety
+/// factor, 1.25 for three values or more and 1.5 for two. [bench: safety]
+/// in: slowest_order replaces half the scheme's order as the lower bound of an observed order.
 /// out: never below `least`.
-ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0);
+ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0,
+                             std::optional<double> slowest_order = {});
 
 /// Lower bound on the relative error of the first-order wedge, 0.35 h/Hm^(2/3), where Hm^(2/3) is the width of the
 /// zones in which the film forms (steady/resolution.hpp). A second-order part of opposite sign may hide that error from
