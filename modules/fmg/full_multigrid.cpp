@@ -134,7 +134,7 @@ void solve_level(Run& run, std::size_t l) {
   Record& record = run.record;
   record.levels.emplace_back();
   std::vector<double> residuals;
-  const CycleObserver observe = [&](int cycle, const Measures& now) -> DiscretizationError {
+  const CycleObserver after_cycle = [&](int cycle, const Measures& now) -> DiscretizationError {
     if (!residuals.empty() && record.history.back().cycle == cycle) {  // again, after the global mass correction
       record.history.pop_back();
       residuals.pop_back();
@@ -144,12 +144,13 @@ void solve_level(Run& run, std::size_t l) {
     residuals.push_back(now.residual);
     return error_known_of(run, l, now.Hm);
   };
-  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
+  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, after_cycle);
   run.caution = result.caution;
   record.verification = verification_of(result.last);
   const std::string where = name_of_level(run.hierarchy, l) + ": ";
   if (result.end == CyclesEnd::diverged) throw core::SolverError(where + result.unmet);
   record.failed_check = result.unmet.empty() ? "" : where + result.unmet;
+  observe(run, l);
   if (l != run.finest()) return;
   record.end = result.end;
   record.cycle_factor = mean_factor(residuals);

@@ -1,5 +1,8 @@
 #pragma once
 // The full multigrid solve: from a first solution on a coarse grid to the finest grid.
+#include <functional>
+#include <vector>
+
 #include "core/timer.hpp"
 #include "fmg/cycles.hpp"
 #include "fmg/hierarchy.hpp"
@@ -17,12 +20,17 @@ struct Plan {
   Caution above{};        ///< initial damping on the finer grids
 };
 
+/// Computes numbers from the solution on a level. Each number gets an error bar from its values on all levels. The
+/// observer changes nothing and is called once for each solved level.
+using LevelObserver = std::function<std::vector<double>(const Hierarchy& hierarchy, std::size_t l)>;
+
 /// A full multigrid solve in progress: the grids with their state, and what is known of the solution.
 struct Run {
   Hierarchy hierarchy;
   Plan plan{};
   ProgressCallback progress{};
-  Caution caution{};  ///< damping that was needed so far
+  LevelObserver observer{};  ///< may be empty
+  Caution caution{};         ///< damping that was needed so far
   Record record{};
 
   std::size_t finest() const { return hierarchy.levels.size() - 1; }

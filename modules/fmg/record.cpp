@@ -66,6 +66,13 @@ std::vector<double> column(const std::vector<LevelRow>& rows, double LevelRow::*
   return values;
 }
 
+std::vector<double> column_observed(const std::vector<LevelRow>& rows, std::size_t number) {
+  std::vector<double> values;
+  for (const LevelRow& row : rows)
+    if ((row.solved() || &row == &rows.back()) && row.observed.size() > number) values.push_back(row.observed[number]);
+  return values;
+}
+
 void forget_work(Hierarchy& hierarchy) {
   for (Level& level : hierarchy.levels) level.evaluations = 0;
   for (Level& level : hierarchy.between) level.evaluations = 0;
@@ -93,6 +100,10 @@ void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement
   const judgement::FilmErrors errors = film_errors(hierarchy, record, Hc);
   row.error_Hc = errors.Hc;
   row.error_Hm = errors.Hm + std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
+}
+
+void observe(Run& run, std::size_t l) {
+  if (run.observer) run.record.levels.back().observed = run.observer(run.hierarchy, l);
 }
 
 void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now, double load_ratio) {

@@ -20,12 +20,13 @@ struct LevelRow {
   double Hm = 0.0;        ///< minimum of H over the nodes
   double error_Hc = 0.0;  ///< relative discretization error, estimated; NaN where the sequence is too short
   double error_Hm = 0.0;
-  double order_Hc = 0.0;    ///< observed order; NaN where unknown
-  double Hm_fitted = 0.0;   ///< minimum of H between the nodes (fitted_minimum.hpp)
-  double P_max = 0.0;       ///< over the nodes
-  double P_rim = 0.0;       ///< over those on the rim (judgement/measures.hpp)
-  double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
-  double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 for a circular contact
+  double order_Hc = 0.0;           ///< observed order; NaN where unknown
+  double Hm_fitted = 0.0;          ///< minimum of H between the nodes (fitted_minimum.hpp)
+  double P_max = 0.0;              ///< over the nodes
+  double P_rim = 0.0;              ///< over those on the rim (judgement/measures.hpp)
+  std::vector<double> observed{};  ///< numbers that the observer of the run computed from the solution of the level
+  double residual = 0.0;           ///< relative residual of the Reynolds equation (root mean square over the wedge's)
+  double load_error = 0.0;         ///< |h^2 sum P - load| / load, load 2 pi/3 for a circular contact
   int cycles = 0;
   double work_units = 0.0;  ///< in evaluations of residual and deformation on this level
   double seconds = 0.0;
@@ -37,6 +38,8 @@ struct LevelRow {
 
 /// One member of all rows that are solved, and of the last row.
 std::vector<double> column(const std::vector<LevelRow>& rows, double LevelRow::*value);
+/// An observed number of the same rows; rows without it are left out.
+std::vector<double> column_observed(const std::vector<LevelRow>& rows, std::size_t number);
 
 /// How a series of cycles ended.
 enum class CyclesEnd {
@@ -92,6 +95,8 @@ struct Run;
 void forget_work(Hierarchy& hierarchy);
 /// Enters the measures of a level after `cycle` cycles in the record.
 void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement::Measures& now, Record& record);
+/// Enters the numbers of the observer for the solution on level l in the last row of the record.
+void observe(Run& run, std::size_t l);
 /// Reports the progress of a level, at the problem's load or a share of it. errors: core::Interrupted if the callback
 /// returns false.
 void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now,

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/norms.hpp"
 #include "fmg/oil.hpp"
 #include "fmg/swinging.hpp"
 #include "steady/rescue.hpp"
@@ -81,7 +80,26 @@ double deformation_by_outside(const fmg::Hierarchy& hierarchy) {
   return problem.geometry.elastic * sum;
 }
 
+fmg::LevelObserver observer_of(const Scene& scene) {
+  if (!scene.observer) return {};
+  return [scene](const fmg::Hierarchy& hierarchy, std::size_t l) { return observed(scene, hierarchy, l, {}, {}); };
+}
+
 }  // namespace
+
+std::vector<double> observed(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t l, const core::Field& I0,
+                             const core::Field& less_tau) {
+  if (!scene.observer) return {};
+  const fmg::Level& level = hierarchy.levels[l];
+  const core::Field P = core::on_domain(level.grid, level.P), H = core::on_domain(level.grid, level.H);
+  const auto given = [](const core::Field& field) { return field.nodes_x() > 0 ? &field : nullptr; };
+  return scene.observer(scene, {.grid = level.grid.domain,
+                                .P = P,
+                                .H = H,
+                                .H00 = hierarchy.H00 - deformation_by_outside(hierarchy),
+                                .I0 = given(I0),
+                                .less_tau = given(less_tau)});
+}
 
 fmg::Geometry geometry_of(const contact::Ellipse& shape) {
   return {contact::gap(shape), contact::outline(shape), contact::elastic_factor(shape)};
@@ -135,7 +153,8 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
                         .cycles = start.cycles,
                         .at_first = {.all = start.caution_at_first, .steep = steep, .relax_after = true},
                         .above = {.all = start.caution, .steep = steep}},
-               .progress = progress};
+               .progress = progress,
+               .observer = observer_of(scene)};
   std::size_t& first = run.plan.first;
   while (first < run.finest() && run.hierarchy.levels[first].grid.nx < fewest_cells) ++first;
   return run;
@@ -163,7 +182,6 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
-  if (solution.Q.nodes_x() > 0) solution.verification.least_content = core::minimum(solution.Q).value;
   if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty() &&
       !scene.supply)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);

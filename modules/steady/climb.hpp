@@ -21,6 +21,11 @@ double first_H00(const Scene& scene);
 /// often as the whole one.
 bool on_one_half(const Scene& scene);
 
+/// The numbers that the observer of the scene computes from the solution on a level; empty without an observer.
+/// in: the factors of heat in the film on the whole domain, as in SolvedFilm; empty fields for a cold film.
+std::vector<double> observed(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t l, const core::Field& I0,
+                             const core::Field& less_tau);
+
 /// Makes the grids and the plan of a full multigrid solve; computes nothing. errors: core::InputError.
 fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 

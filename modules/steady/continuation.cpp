@@ -209,6 +209,7 @@ Scene under_load(const Scene& scene, double M) {
   const double p_h_factor = contact::line(scene.shape) ? std::sqrt(M / scene.M) : std::cbrt(M / scene.M);
   Scene result = scene;
   result.M = M;
+  result.observer = {};
   result.lambda = contact::from_moes(M, scene.L, scene.shape).lambda;
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);

@@ -1,6 +1,7 @@
 #pragma once
 // Estimated errors of the results, split into their parts.
 #include <limits>
+#include <vector>
 
 namespace ehl::steady {
 
@@ -40,6 +41,8 @@ struct ErrorBars {
   /// the rough estimate. Otherwise, for Hc, it is Solution::domain_error_Hc or the rough estimate, right within a
   /// factor of about 2 (domain_error.hpp). Not part of total().
   double domain = ErrorBar::unknown;
+  /// Relative errors of the numbers of the scene's observer; NaN where the levels give no estimate.
+  std::vector<double> observed{};
   double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN if it does not converge
   /// True if the differences of P_max between the levels fall and no spike is about to exceed it. At a spike that no
   /// grid resolves they grow, and P_max depends on the mesh.

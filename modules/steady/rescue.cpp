@@ -55,6 +55,7 @@ void judge(fmg::Run& run) {
   if (!judgement::unmet_oil(now).empty() && fmg::balance_oil(run.hierarchy, run.hierarchy.finest()))
     now = fmg::measures_of(run.hierarchy, l);
   fmg::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
+  fmg::observe(run, l);
   const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
   record.verification = judgement::verification_of(last);
   const double asked = run.hierarchy.parameters.tolerance;
@@ -97,6 +98,7 @@ void solve_levels_below(fmg::Run& run) {
     }
     run.record.levels.emplace_back();
     fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
+    fmg::observe(run, l);
     timer.stop();
   }
 }
@@ -178,6 +180,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     steps = result.steps;
     last_reason = fmg::name_of_level(run.hierarchy, l) + ": " + result.reason;
     fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
+    fmg::observe(run, l);
     if (last_level) {
       judge(run, result.converged, last_reason);
     }

@@ -55,6 +55,16 @@ struct Passes {
   double levelled = 0.0;   ///< share of the differences across the track that has levelled out
 };
 
+/// A solution on one grid, on the whole domain.
+struct SolvedFilm {
+  const core::Grid& grid;
+  const core::Field& P;
+  const core::Field& H;
+  double H00 = 0.0;
+  const core::Field* I0 = nullptr;        ///< mean fluidity of a warm film over that of the oil; none: 1
+  const core::Field* less_tau = nullptr;  ///< of the sliding stress, where the pressure's own flow thins; none: 1
+};
+
 struct Scene {
   double M = 0.0;       ///< Moes' load parameter: for starting values, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: for the same purposes
@@ -89,6 +99,9 @@ struct Scene {
   /// Adjoint error estimates of Hc and Hm, with the third-order wedge; else from the grid sequence alone.
   bool adjoint_errors = true;
   bool error_maps = false;  ///< also maps of where the errors arise
+  /// Computes numbers from a solution of this scene. The solutions on all levels give each number an error bar
+  /// (ErrorBars::observed). May be empty.
+  std::function<std::vector<double>(const Scene& scene, const SolvedFilm& film)> observer{};
   AccuracyTarget accuracy;
   bool use_symmetry = true;  ///< compute one half of a grid that is symmetric in Y; differs by rounding only
   int threads = 1;

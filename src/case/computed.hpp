@@ -1,5 +1,6 @@
 #pragma once
 // The results of a run.
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,6 +72,7 @@ struct DerivedFields {
 struct HeatResult {
   heat::Solution found{};  ///< the solution except its film, which is that of the contact
   double mu = 0.0;         ///< sliding friction divided by the load
+  double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< estimated relative error of mu
   double mu_isothermal = 0.0;
   bool unlikely = false, unlikely_isothermal = false;  ///< stress too high for an oil (friction::unlikely)
   core::Warnings friction_warnings{};                  ///< warnings about mu

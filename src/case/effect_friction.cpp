@@ -56,8 +56,12 @@ std::string summary(const Case& input, const Computed& computed) {
     return fmt::format(" ({:.3g} {})", mu * whole_load(*input.physics.si), unit);
   };
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
-  std::string text = fmt::format("friction     mu = {:.5g} sliding{}, {:.3g} rolling{}{}\n", f.sliding,
-                                 in_newtons(f.sliding), f.rolling, in_newtons(f.rolling), mark);
+  const auto with_bar = [](double mu, double error) {
+    return std::isfinite(error) && mu != 0.0 ? " +- " + percent(error) : "";
+  };
+  std::string text = fmt::format("friction     mu = {:.5g}{} sliding{}, {:.3g}{} rolling{}{}\n", f.sliding,
+                                 with_bar(f.sliding, f.error_sliding), in_newtons(f.sliding), f.rolling,
+                                 with_bar(f.rolling, f.error_rolling), in_newtons(f.rolling), mark);
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
@@ -106,33 +110,67 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 }
 
 // The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.
-double flow_of(const steady::Scene& scene, const steady::Solution& solution) {
-  const core::Location highest = core::maximum(solution.P);
+double flow_of(const steady::Scene& scene, const steady::SolvedFilm& film) {
+  const core::Location highest = core::maximum(film.P);
   double rho_bar = 1.0;
   rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
-  return rho_bar * solution.H(highest.i, highest.j);
+  return rho_bar * film.H(highest.i, highest.j);
 }
 
 // The state of the far field upstream of a line contact. Heat reduces the pressure there as a lower speed would, at the
 // same flow. The equivalent speed is the one with which the far field has the solved pressure at the first node.
 reynolds::FarState state_upstream(const reynolds::FarField& field, const steady::Scene& scene,
-                                  const steady::Solution& solution, bool warm) {
-  reynolds::FarState state{.H00 = solution.H00, .flow = flow_of(scene, solution)};
-  const double there = solution.P(0, 1);
-  if (!warm || there <= 0.0) return state;
+                                  const steady::SolvedFilm& film) {
+  reynolds::FarState state{.H00 = film.H00, .flow = flow_of(scene, film)};
+  const double there = film.P(0, 1);
+  if (film.I0 == nullptr || there <= 0.0) return state;
   constexpr int rounds = 30;  // fixed-point iteration; its contraction factor is alpha P, which is small in the inlet
   for (int k = 0; k < rounds; ++k)
-    if (const double P = field.P(field.at(solution.grid.X_a, 0.0), solution.H(0, 1), state); P > 0.0)
-      state.speed *= there / P;
+    if (const double P = field.P(field.at(film.grid.X_a, 0.0), film.H(0, 1), state); P > 0.0) state.speed *= there / P;
   return state;
+}
+
+/// What observe_friction() observes: mu and mu_rolling.
+constexpr std::size_t observed_numbers = 2;
+
+friction::Parameters parameters_of(const Case& input) {
+  return input.friction ? *input.friction : friction_of_contact(input.physics, input.scene);
+}
+
+Friction friction_of(friction::Parameters parameters, const steady::Scene& scene, const steady::SolvedFilm& film) {
+  friction::Film of{.grid = film.grid,
+                    .P = film.P,
+                    .H = film.H,
+                    .viscosity = scene.viscosity,
+                    .thinning = scene.thinning,
+                    .I0 = film.I0,
+                    .less_tau = film.less_tau,
+                    .load = contact::load(scene.shape),
+                    .gap = contact::gap(scene.shape),
+                    .lambda = scene.lambda,
+                    .starved = bool(scene.supply)};
+  if (!oil_outside(scene)) {
+    if (!scene.supply && std::isinf(parameters.meniscus))
+      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
+    return friction::friction_of(of, parameters);
+  }
+  const double deformation = contact::elastic_factor(scene.shape) * of.load;
+  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, film.grid});
+  friction::Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
+  if (film.grid.line) outside.state = state_upstream(field, scene, film);
+  of.outside = &outside;
+  return friction::friction_of(of, parameters);
 }
 
 }  // namespace
 
 std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
   std::vector<results::Quantity> list{
-      {"mu", f.sliding, "-", "sliding friction over the load, positive if surface 1 is the faster one"},
-      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
+      {"mu", f.sliding, "-", "sliding friction over the load, positive if surface 1 is the faster one", "", "error_mu"},
+      {"error_mu", f.error_sliding, "-", "estimated relative error of mu on this domain"},
+      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces", "",
+       "error_mu_rolling"},
+      {"error_mu_rolling", f.error_rolling, "-", "estimated relative error of mu_rolling on this domain"},
       {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
       {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
       {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
@@ -157,31 +195,30 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
 }
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
-  friction::Parameters parameters = input.friction ? *input.friction : friction_of_contact(input.physics, input.scene);
-  const steady::Scene& scene = input.scene;
+  friction::Parameters parameters = parameters_of(input);
   parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
-  friction::Film of{.grid = solution.grid,
-                    .P = solution.P,
-                    .H = solution.H,
-                    .viscosity = scene.viscosity,
-                    .thinning = scene.thinning,
-                    .I0 = film ? &film->I0 : nullptr,
-                    .less_tau = film ? &film->less_tau : nullptr,
-                    .load = contact::load(scene.shape),
-                    .gap = contact::gap(scene.shape),
-                    .lambda = scene.lambda,
-                    .starved = bool(scene.supply)};
-  if (!oil_outside(scene)) {
-    if (!scene.supply && std::isinf(parameters.meniscus))
-      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
-    return friction::friction_of(of, parameters);
+  friction::Friction found = friction_of(parameters, input.scene,
+                                         {.grid = solution.grid,
+                                          .P = solution.P,
+                                          .H = solution.H,
+                                          .H00 = solution.H00,
+                                          .I0 = film ? &film->I0 : nullptr,
+                                          .less_tau = film ? &film->less_tau : nullptr});
+  if (const std::vector<double>& errors = solution.error_bars.observed; errors.size() == observed_numbers) {
+    found.error_sliding = errors[0];
+    found.error_rolling = errors[1];
   }
-  const double deformation = contact::elastic_factor(scene.shape) * of.load;
-  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, solution.grid});
-  friction::Outside outside{field, of.gap, deformation, {.H00 = solution.H00}};
-  if (scene.grid.line) outside.state = state_upstream(field, scene, solution, film != nullptr);
-  of.outside = &outside;
-  return friction::friction_of(of, parameters);
+  return found;
+}
+
+void observe_friction(Case& input) {
+  if (!(input.friction || input.heat || input.flow_thinning)) return;
+  friction::Parameters parameters = parameters_of(input);
+  parameters.keep_tau1 = parameters.keep_tau2 = false;
+  input.scene.observer = [parameters](const steady::Scene& scene, const steady::SolvedFilm& film) {
+    const Friction found = friction_of(parameters, scene, film);
+    return std::vector<double>{found.sliding, found.rolling};
+  };
 }
 
 Effect friction_effect() {

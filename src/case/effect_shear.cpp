@@ -46,7 +46,7 @@ std::vector<results::Quantity> quantities(const HeatResult& flow) {
           {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, thinned by the sliding alone"},
           {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, thinned by the sliding alone"},
           {"mu", flow.mu, "-", "sliding friction over the load", "", "error_mu"},
-          {"error_mu", flow.found.error_mu, "-", "estimated relative discretization error of mu"}};
+          {"error_mu", flow.error_mu, "-", "estimated relative discretization error of mu"}};
 }
 
 std::string summary(const Case& input, const Computed& computed) {

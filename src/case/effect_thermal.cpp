@@ -76,7 +76,8 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     if (kept(input, one.name))
       content.fields.push_back({one.name, "K", std::string("temperature above T_oil: ") + one.meaning, one.field});
   for (results::Quantity& one : thermal_quantities(input, *computed.heat))
-    if (one.name != "mu" || !input.friction) content.summary.push_back(std::move(one));  // or [friction] adds mu
+    if (!input.friction || (one.name != "mu" && one.name != "error_mu"))  // which [friction] adds
+      content.summary.push_back(std::move(one));
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
       {"thermal_warnings", deck::joined(told(thermal_warnings(input, *computed.heat)), "\n"), "", "one per line"});

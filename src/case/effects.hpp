@@ -95,6 +95,8 @@ Effect thermal_effect();
 /// The friction of a solution, as the case asks for it, else without the cavitated region. in: film: the temperature
 /// and viscosity fields of heat or flow thinning, or nullptr.
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);
+/// Makes the solver compute mu and mu_rolling on every level if the case reports friction, so that they get error bars.
+void observe_friction(Case& input);
 /// The numbers of the friction, for the JSON report, the result file and the tables.
 std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 

@@ -56,7 +56,7 @@ std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatR
       {"mu", heat.mu, "-", "sliding friction over the load, with heat", "", "error_mu"},
       {"mu_isothermal", heat.mu_isothermal, "-",
        std::string("the same of the isothermal contact") + (heat.unlikely_isothermal ? "; no oil carries it" : "")},
-      {"error_mu", found.error_mu, "-", "estimated relative discretization error of mu"}};
+      {"error_mu", heat.error_mu, "-", "estimated relative discretization error of mu"}};
   add_place("T_film_max", "film", found.in_film, in.T0, list);
   add_place("T1_max", "surface 1", found.on_1, in.T0, list);
   add_place("T2_max", "surface 2", found.on_2, in.T0, list);
@@ -153,7 +153,7 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
   constexpr const char* no_oil = " (no oil carries it)";
   std::string text =
       fmt::format("thermal      mu = {:.5g}{}{}, isothermal {:.5g}{}{}\n", heat.mu,
-                  std::isfinite(found.error_mu) && heat.mu != 0.0 ? " +- " + percent(found.error_mu) : "",
+                  std::isfinite(heat.error_mu) && heat.mu != 0.0 ? " +- " + percent(heat.error_mu) : "",
                   heat.unlikely ? no_oil : "", heat.mu_isothermal, heat.unlikely_isothermal ? no_oil : "", mark);
   text += "             above T_oil: " + hottest_text(input, "film", found.in_film) +
           fmt::format(", mean {:.2f} K, inlet {:.2f} K{}\n", in.T0 * found.mean, in.T0 * found.inlet, mark);

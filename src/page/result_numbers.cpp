@@ -29,7 +29,7 @@ const std::vector<Shown>& shown_numbers() {
       {"/summary/lambda_ratio", "", "lambda ratio h_m/S_q"},
       {"/summary/mu", "/summary/error_mu", "friction coefficient μ"},
       {"/summary/mu_isothermal", "", "the same, isothermal"},
-      {"/summary/mu_rolling", "", "rolling friction"},
+      {"/summary/mu_rolling", "/summary/error_mu_rolling", "rolling friction"},
       {"/summary/T_film_max", "/summary/error_T_film_max", "hottest film above T_{oil}"},
       {"/summary/T1_max", "/summary/error_T1_max", "hottest place of surface 1 above T_{oil}"},
       {"/summary/T2_max", "/summary/error_T2_max", "hottest place of surface 2 above T_{oil}"},

@@ -127,10 +127,11 @@ SweepRow sweep_row(const SweepKind& kind) {
   row.insert(row.end(), plain.begin(), plain.end());
   if (kind.timing) row.insert(row.end(), {{"seconds", unknown, "s"}, {"peak_memory", unknown, "bytes"}});
   if (kind.friction)
-    for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2"}) row.push_back({name, unknown});
+    for (const char* name : {"mu", "error_mu", "mu_rolling", "error_mu_rolling", "mu_1", "mu_2"})
+      row.push_back({name, unknown});
   if (kind.thermal) {
-    if (!kind.friction) row.push_back({"mu", unknown});
-    for (const char* name : {"mu_isothermal", "error_mu"}) row.push_back({name, unknown});
+    if (!kind.friction) row.insert(row.end(), {{"mu", unknown}, {"error_mu", unknown}});
+    row.push_back({"mu_isothermal", unknown});
     for (const char* name : {"T_film_max", "T_film_mean", "T1_max", "T2_max"}) row.push_back({name, unknown, "K"});
     for (const char* name : {"heat_1", "heat_2"})
       row.push_back({name, unknown, unit_of_heat(kind.bodies == Bodies::line)});

@@ -83,7 +83,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
   if (header.kind.friction)
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
-        "surfaces 1 and 2 along +x over it\n";
+        "surfaces 1 and 2 along +x over it; error_mu, error_mu_rolling: their relative error bars\n";
   if (header.kind.thermal)
     text += "# T_film_max, T_film_mean, T1_max, T2_max: of the film and of surfaces 1 and 2, rises above T_oil\n";
   return text + csv_units(sweep_row(header.kind)) + "\n" + names_of_columns(header) + "\n";

@@ -85,7 +85,10 @@ struct Friction {
   double largest_stress = 0.0;                             ///< largest |tau_m| where P > 0, in p_h
   double limited_share = 0.0;   ///< share of the load where the limiting stress acts, on the domain
   double unlikely_share = 0.0;  ///< share of the load where |tau_m| > largest_limit P, on the domain
-  core::Field tau1{}, tau2{};   ///< surface stresses in p_h; empty unless kept
+  /// Estimated relative errors of `sliding` and `rolling`, from the solutions on coarser grids; NaN if unknown.
+  double error_sliding = std::numeric_limits<double>::quiet_NaN();
+  double error_rolling = std::numeric_limits<double>::quiet_NaN();
+  core::Field tau1{}, tau2{};  ///< surface stresses in p_h; empty unless kept
   double seconds = 0.0;
 };
 

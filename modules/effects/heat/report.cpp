@@ -10,18 +10,18 @@
 namespace ehl::heat {
 namespace {
 
-// Order of friction and temperatures assumed in the error estimate, with three grids and with two. With two grids no
-// order can be measured, and errors of opposite sign may cancel by chance. [bench: heat_order_of_two_grids]
+// Order of the temperatures assumed in the error estimate, with three grids and with two. With two grids no order can
+// be measured, and errors of opposite sign may cancel by chance. [bench: heat_order_of_two_grids]
 constexpr double order = 2.0, order_of_two_grids = 1.0;
-// Safety factor on the estimates, and their lower bounds.
-constexpr double wider = 1.5, least_of_mu = 3e-4, least_of_temperature = 1e-3;
+// Safety factor on the estimates, and their lower bound.
+constexpr double wider = 1.5, least = 1e-3;
 
 double error_of(const std::vector<Row>& rows, double Row::*value) {
   std::vector<double> sequence;
   for (const Row& row : rows) sequence.push_back(row.*value);
   const double told =
       wider * judgement::estimate_error(sequence, sequence.size() < 3 ? order_of_two_grids : order).relative_error;
-  return std::isnan(told) ? told : std::max(told, value == &Row::mu ? least_of_mu : least_of_temperature);
+  return std::isnan(told) ? told : std::max(told, least);
 }
 
 // Temperature that a spike may reach on finer grids; NaN if it cannot be estimated.
@@ -131,7 +131,6 @@ Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, 
           .C = film.C()(centre, middle_line(patch)),
           .inlet = film.theta(edge, middle_line(patch), middle),
           .nahme = nahme_of(film, patch, P, H, setup),
-          .error_mu = setup.srr != 0.0 ? error_of(rows, &Row::mu) : 0.0,
           .fields = fields_of(film, patch, setup),
           .rows = std::move(rows),
           .bytes = film.bytes()};

@@ -117,6 +117,9 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
   run.record.levels.emplace_back();
   ladder.last = heat_up(run, l, *ladder.film, *ladder.factors, parameters);
   timer.stop();
+  run.record.levels.back().observed =
+      steady::observed(ladder.scene, run.hierarchy, l, core::on_domain(setup.patch, ladder.film->I0()),
+                       core::on_domain(setup.patch, ladder.film->less_tau()));
   const Pass& pass = ladder.last.passes.back();
   const thermal::Balance& balance = ladder.last.balance;
   ladder.found.push_back(pass);
@@ -248,6 +251,7 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
   const double warm_inlet = std::abs(std::log(ladder.run.hierarchy.far_motion.mobility));
   result.film = steady::solution_of(ladder.scene, std::move(ladder.run));
   result.film.C_centre = result.C;
+  result.undone = !result.film.converged && !ladder.last.passes.empty() && ladder.last.passes.back().undone;
   complete(scene, isothermal, setup.cold(), warm_inlet, result.film);
   judge_below_spike(result.film.error_bars, result);
   result.seconds = core::now() - began;

@@ -41,12 +41,12 @@ struct Solution {
   steady::Solution film{};  ///< with heat; the isothermal solution if none was attempted
   thermal::Balance balance{};
   Hottest in_film{}, on_1{}, on_2{};
-  double mean = 0.0;                                           ///< mean theta of the pressurised film, weighted with P
-  double C = 1.0;                                              ///< at (0, 0); the surfaces carry rho_bar H C
-  double inlet = 0.0;                                          ///< mid-film theta at X = -1, Y = 0
-  double nahme = 0.0;                                          ///< largest beta tau_m |u1 - u2| h/k
-  bool spike_unresolved = false;                               ///< as in error_bars.hpp; in_film then has no error
-  double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< relative discretization error of mu
+  double mean = 0.0;              ///< mean theta of the pressurised film, weighted with P
+  double C = 1.0;                 ///< at (0, 0); the surfaces carry rho_bar H C
+  double inlet = 0.0;             ///< mid-film theta at X = -1, Y = 0
+  double nahme = 0.0;             ///< largest beta tau_m |u1 - u2| h/k
+  bool spike_unresolved = false;  ///< as in error_bars.hpp; in_film then has no error
+  bool undone = false;            ///< true if no cycle converged with the temperature of the last iteration
   Fields fields{};
   std::vector<Row> rows{};  ///< coarse to fine
   double seconds = 0.0;     ///< without the isothermal solution
