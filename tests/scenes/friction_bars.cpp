@@ -34,7 +34,7 @@ std::string deck_of(const Contact& contact, double srr = 0.1) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(friction_bars)
+BOOST_AUTO_TEST_SUITE(test_friction_bars)
 
 // One of the 24 bars may be too small. A bar that is wide enough always holds, therefore half of the bars must be no
 // wider than ten times the error.

@@ -75,6 +75,15 @@ BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asympt
   BOOST_TEST(estimate_error(std::vector<double>{0.2, 0.21}, 2.0).relative_error > 0.01 / 3.0 / 0.21);
 }
 
+// Errors of opposite sign cancel in a change below 2^-4.5 of the one before: it counts as a quarter of it, with
+// order 1.
+BOOST_AUTO_TEST_CASE(a_small_change_may_be_a_difference_of_errors) {
+  const auto error = [](const std::vector<double>& values) { return estimate_error(values, 2.0).relative_error; };
+  BOOST_TEST(std::abs(error({0.9, 0.5, 0.48}) - 1.25 * 0.05 / 3.0 / 0.48) < 1e-12);
+  BOOST_TEST(std::abs(error({0.9, 0.5, 0.49}) - 1.25 * 0.1 / 1.0 / 0.49) < 1e-12);
+  BOOST_TEST(std::abs(error({0.9, 0.5, 0.5}) - 1.25 * 0.1 / 1.0 / 0.5) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(an_oil_content_below_zero_is_no_solution) {
   Measures now = good_cycle().after;
   BOOST_TEST(unmet_oil(now).empty());  // of a contact without a content
