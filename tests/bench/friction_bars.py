@@ -85,7 +85,7 @@ def main(program, folder, seed=1, number=36):
                 bar, true = now["friction"]["error_" + value], fine["friction"][value]
                 error = abs(now["friction"][value] / true - 1)
                 if bar is None:
-                    print(f"# {seed}.{k}: no bar of {value} on {cells} cells: the grids below it were not solved")
+                    print(f"# {seed}.{k}: no bar of {value} on {cells} cells: the levels give no estimate")
                     continue
                 print(
                     f"{seed}.{k},{kind},{M:.3g},{L:.3g},{law},{value},{cells},{bar:.1e},{error:.1e},"
