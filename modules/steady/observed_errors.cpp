@@ -13,8 +13,8 @@ namespace {
 constexpr double order = 1.5, slowest_order = 0.32;
 /// Order assumed with two levels; slowest_order if a spike may be unresolved.
 constexpr double order_of_two_levels = 1.0;
-/// Lower bound of the error, for the remaining iteration error.
-constexpr double least = 3e-4;
+/// Lower bound of the error, for the remaining iteration error; of two levels for errors that cancel by chance.
+constexpr double least = 3e-4, least_of_two_levels = 2e-3;
 /// There is no estimate if changes grow from level to level by more than this factor, unless they are smaller than this
 /// share of the number.
 constexpr double growing = 1.1, small_change = 1e-3;
@@ -29,8 +29,11 @@ bool grows(const std::vector<double>& values) {
 double error_of(const std::vector<double>& values, bool spike_unresolved) {
   if (std::ranges::all_of(values, [](double value) { return value == 0.0; })) return 0.0;
   if (grows(values)) return ErrorBar::unknown;
-  const double of_two = spike_unresolved ? slowest_order : order_of_two_levels;
-  return judgement::estimate_error(values, values.size() < 3 ? of_two : order, least, slowest_order).relative_error;
+  if (values.size() < 3)
+    return judgement::estimate_error(values, spike_unresolved ? slowest_order : order_of_two_levels,
+                                     least_of_two_levels)
+        .relative_error;
+  return judgement::estimate_error(values, order, least, slowest_order).relative_error;
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ std::string deck_of(const Contact& contact, double srr = 0.1) {
 BOOST_AUTO_TEST_SUITE(test_friction_bars)
 
 // One of the 24 bars may be too small. A bar that is wide enough always holds, therefore half of the bars must be no
-// wider than ten times the error.
+// wider than twenty times the error.
 BOOST_AUTO_TEST_CASE(bars_hold_against_four_times_the_cells) {
   const std::string line = "kind = line\n", across = "radius_ratio = 0.3\n";
   const std::vector<Contact> contacts{{"", 10, 5, newtonian, none, 128},       {"", 50, 10, eyring, none, 128},
                                       {"", 200, 8, carreau, limited, 128},     {across, 20, 8, eyring, none, 128},
-                                      {across, 100, 5, carreau, none, 64},     {line, 5, 5, newtonian, none, 256},
+                                      {across, 100, 5, carreau, none, 128},    {line, 5, 5, newtonian, none, 256},
                                       {line, 20, 10, newtonian, limited, 256}, {line, 20, 10, eyring, none, 256},
                                       {line, 50, 15, eyring, limited, 512},    {line, 100, 8, carreau, none, 512},
                                       {line, 200, 4, newtonian, none, 512},    {line, 30, 3, carreau, limited, 256}};
@@ -62,9 +62,9 @@ BOOST_AUTO_TEST_CASE(bars_hold_against_four_times_the_cells) {
   }
   std::ranges::sort(ratios);
   BOOST_TEST_MESSAGE("bar over error: " << ratios.front() << " at least, " << ratios[ratios.size() / 2]
-                                        << " in the median (at most 10)");
+                                        << " in the median (at most 20)");
   BOOST_TEST(ratios[1] >= 1.0);
-  BOOST_TEST(ratios[ratios.size() / 2] <= 10.0);
+  BOOST_TEST(ratios[ratios.size() / 2] <= 20.0);
 }
 
 // In JSON, text and tables. A friction coefficient that is zero on every grid has the error 0.
