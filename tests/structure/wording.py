@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Finds prose that a reader must puzzle out, in comments, messages and pages; exit status 1 where there is any.
 
-Rules: word       a word with a private meaning; the standard term is printed beside it
+Rules: word       a word with a private meaning (words.txt); the standard term is printed next to it
        subject    a comment that cannot be read alone, such as "Of ..." or "Likewise ..."
        figures    a comment with three or more measured figures: they belong into tests/bench
        paragraph  a paragraph of a page with more than 60 words
@@ -11,29 +11,12 @@ import re
 import subprocess
 import sys
 
-WORDS = {
-    r"aslant": "oblique, at an angle",
-    r"reckon\w*": "compute, count",
-    r"foretold|foretells?": "predicted, estimates",
-    r"\bastray\b": "far from the solution",
-    r"\bbrim\b": "full",
-    r"\banew\b": "again",
-    r"thereof|whereof": "of it, of which",
-    r"(?<!as )\btold\b|\btells\b": "reported, reports",
-    r"long along the motion": "in the rolling direction",
-    r"\bcaution\w*|boldness|bolder|boldest": "damping, growth factor",
-    r"\bswing(s|ing)\b": "oscillates, chatters",
-    r"\bleaves? 0\.\d+|\b0\.\d+ (is|are) left|left per cycle": "convergence factor",
-    r"lead(s|ing)? inward": "extend the boundary value inward",
-    r"wants pressure": "cavitation residual",
-    r"has not seen": "not used in the fit",
-    r"what is left of the equations": "residual, truncation error",
-    r"holds the contact": "resolves the contact",
-    r"by weights": "by the adjoint solution",
-    r"\bas ever\b": "as usual",
-    r"so many times": "how many times",
-}
-WORD = re.compile("|".join(WORDS), re.I)
+WORDS = [
+    line.rstrip("\n").split("\t")
+    for line in pathlib.Path(__file__).with_name("words.txt").open()
+    if not line.startswith("#")
+]
+WORD = re.compile("|".join(pattern for pattern, _ in WORDS), re.I)
 SUBJECT = re.compile(r"^\s*//+\s*(Of|The same|Likewise|With it|Without it|So many|Beside it|What is left)\b")
 FIGURE = re.compile(r"(?<![\w.^])(\d+\.\d+|\d+e-\d+|\d+(\.\d+)?( %| s\b| ms\b| times\b))(?!\w)")
 FORMULA = re.compile(r"[=*^/+] ?\d|source", re.I)
@@ -41,7 +24,7 @@ MOST_WORDS = 60
 
 
 def term_of(found):
-    return next(term for pattern, term in WORDS.items() if re.search(pattern, found, re.I))
+    return next(term for pattern, term in WORDS if re.search(pattern, found, re.I))
 
 
 def comment_of(line):
@@ -83,7 +66,7 @@ def main():
     files = subprocess.run(["git", "ls-files", *kinds], cwd=root, capture_output=True, text=True).stdout.split()
     listed = 0
     for path in files:
-        if path == "CHANGELOG.md" or path == "tests/structure/wording.py":
+        if path == "CHANGELOG.md":
             continue
         lines = (root / path).read_text(errors="replace").splitlines()
         code = path.endswith((".cpp", ".hpp", ".h", ".c"))
