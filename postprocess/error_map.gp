@@ -1,5 +1,5 @@
 # figure: where the errors of Hc and Hm by the mesh originate: film too thick in red, too thin in blue
-# needs: /fields/error_Hc /fields/error_Hm map
+# needs: /fields/error_map_Hc /fields/error_map_Hm map
 figure = "error_map"
 here = system(sprintf("dirname '%s'", ARG0))
 wide = 180
@@ -9,8 +9,8 @@ load here."/window.gp"
 # to its own largest value.
 half = (wide - m(edge)) / 2
 high = (half - m(16)) * 2 * far / (right - left) + m(14 + top)
-stats field("error_Hc", 300) matrix nonuniform using 3 nooutput prefix "C"
-stats field("error_Hm", 300) matrix nonuniform using 3 nooutput prefix "M"
+stats field("error_map_Hc", 300) matrix nonuniform using 3 nooutput prefix "C"
+stats field("error_map_Hm", 300) matrix nonuniform using 3 nooutput prefix "M"
 size(low, high) = -low > high ? -low : high
 of_Hc = size(C_min, C_max)
 of_Hm = size(M_min, M_max)
@@ -30,11 +30,11 @@ unset colorbox
 eval box(m(13), m(edge) + half, m(10), m(top + 4))
 set ylabel axis_Y offset label_Y, 0
 set label 1 "H_c" at graph 0.5, graph 1 offset 0, 0.6 center
-plot field("error_Hc", 400) matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
+plot field("error_map_Hc", 400) matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
 unset label 100
 eval box(half + m(8), m(edge), m(10), m(top + 4))
 unset ylabel
 set label 1 "H_m"
 eval bar(m(10), m(top + 4))
-plot field("error_Hm", 400) matrix nonuniform using 1:2:(shown($3, of_Hm)) with image
+plot field("error_map_Hm", 400) matrix nonuniform using 1:2:(shown($3, of_Hm)) with image
 unset multiplot

@@ -7,10 +7,10 @@
 #include "base/exit_status.hpp"
 #include "base/failure.hpp"
 #include "case/catalogue.hpp"
+#include "case/numbers/number.hpp"
 #include "commands/run_case.hpp"
 #include "core/errors.hpp"
 #include "deck/write.hpp"
-#include "report/quantities.hpp"
 #include "report/report.hpp"
 #include "results/outputs.hpp"
 #include "results/read.hpp"
@@ -151,7 +151,7 @@ void check_into(HeldResult& result, const std::function<Case()>& read) {
     results::Content content;
     content.title = input.title;
     content.deck = deck::effective_deck(input.deck);
-    content.scales = scale_quantities(input);
+    content.scales = numbers::scale_quantities(input);
     content.grid = input.scene.grid;
     hold_all(result, content);
   });
@@ -162,11 +162,11 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
     const std::lock_guard lock(files);
     const results::ResultFile file(path, number);
     hold_below(result, file, "/");
-    if (const HeldEntry* warnings = found(result, "/summary/warnings"))
+    if (const HeldEntry* warnings = found(result, numbers::path_of(id::warnings)))
       result.warnings = lines_of(warnings->entry.text);
-    const HeldEntry* converged = found(result, "/summary/converged");
-    const HeldEntry* in_time = found(result, "/summary/transient_completed");
-    const HeldEntry* why = found(result, "/summary/failed_check");
+    const HeldEntry* converged = found(result, numbers::path_of(id::converged));
+    const HeldEntry* in_time = found(result, numbers::path_of(id::transient_completed));
+    const HeldEntry* why = found(result, numbers::path_of(id::failed_check));
     if (converged == nullptr || converged->values == nullptr)
       throw core::FileError(path + ": the file is damaged: it does not state whether it converged");
     if (*converged->values != 1.0) {
@@ -174,7 +174,7 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
       result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("the reason is unknown")));
     } else if (in_time != nullptr && in_time->values != nullptr && *in_time->values != 1.0) {
       result.status = not_converged;
-      const HeldEntry* ended = found(result, "/summary/transient_ended");
+      const HeldEntry* ended = found(result, numbers::path_of(id::transient_ended));
       result.messages.push_back("the run in time is not complete" + (ended ? ": " + ended->entry.text : std::string()));
     }
   });

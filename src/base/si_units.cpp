@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace ehl::program {
 
@@ -17,6 +19,29 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   if (unit == "rho0 u_m a^3/R") return {"rho0 mm^3/s", 1e9 * scales.a * scales.h * u_m};
   if (unit == "rho0 u_m a^2/R") return {"rho0 mm^2/s", 1e6 * scales.h * u_m};
   return {unit, 1.0};
+}
+
+Conversion conversion(const std::string& from, const std::string& to) {
+  if (from == to) return {};
+  const struct {
+    const char* from;
+    const char* to;
+    Conversion by;
+  } all[] = {{"m", "nm", {.divisor = 1e-9}},
+             {"m", "um", {.divisor = 1e-6}},
+             {"Pa", "GPa", {.divisor = 1e9}},
+             {"Pa s", "mPa s", {.factor = 1e3}},
+             {"1/Pa", "1/GPa", {.factor = 1e9}}};
+  for (const auto& one : all)
+    if (from == one.from && to == one.to) return one.by;
+  throw std::logic_error("no conversion from " + from + " to " + to);
+}
+
+std::string unit_in_names(const std::string& unit) {
+  std::string text = unit.starts_with("1/") ? unit.substr(1) : unit;
+  std::ranges::replace(text, ' ', '_');
+  const std::size_t over = text.find('/');
+  return over == std::string::npos ? text : text.replace(over, 1, over == 0 ? "per_" : "_per_");
 }
 
 std::string film_text(double H, const SiScales& scales) {

@@ -23,6 +23,20 @@ struct SiUnit {
 /// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);
 
+/// From an SI unit to one that people read: value * factor / divisor, of which one is 1, so that the bits do not depend
+/// on how a power of ten is rounded.
+struct Conversion {
+  double factor = 1.0;
+  double divisor = 1.0;
+  bool none() const { return factor == 1.0 && divisor == 1.0; }
+  double of(double value) const { return value * factor / divisor; }
+};
+/// in: "m", "nm". out: no conversion where the units are the same. errors: std::logic_error: there is none.
+Conversion conversion(const std::string& from, const std::string& to);
+
+/// A unit as the end of a column's name: "nm", "N_per_m", "per_GPa".
+std::string unit_in_names(const std::string& unit);
+
 /// A film thickness as text, "258.55 nm". in: H, dimensionless.
 std::string film_text(double H, const SiScales& scales);
 /// A place as text, "(42.0, -112.1) um". in: X and Y, dimensionless.

@@ -7,6 +7,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "case/sliding_input.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"
@@ -90,8 +91,9 @@ std::string summary(const Case& input, const Computed& computed) {
 Json json(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   Json report;
-  add(friction_quantities(f), report);
-  add_in_SI(friction_quantities(f), si_scales(input.physics), report);
+  const std::vector<results::Quantity> list = numbers::quantities("friction", {input, computed});
+  add(list, report);
+  add_in_SI(list, si_scales(input.physics), report);
   add_warnings(friction::warnings(f), report);
   report["seconds"] = f.seconds;
   return report;
@@ -103,8 +105,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.fields.push_back({"tau1", "p_h", "shear stress of the film on surface 1 along +x", &f.tau1});
   if (f.parameters.keep_tau2)
     content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
-  for (results::Quantity& one : friction_quantities(f)) content.summary.push_back(std::move(one));
-  content.summary.push_back({"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"});
+  numbers::append("friction", {input, computed}, content.summary);
   content.summary.push_back({"friction", what(input), "", "model of the friction"});
   content.summary.push_back({"friction_warnings", deck::joined(told(friction::warnings(f)), "\n"), "", "one per line"});
 }
@@ -163,36 +164,6 @@ Friction friction_of(friction::Parameters parameters, const steady::Scene& scene
 }
 
 }  // namespace
-
-std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
-  std::vector<results::Quantity> list{
-      {"mu", f.sliding, "-", "sliding friction over the load, positive if surface 1 is the faster one", "", "error_mu"},
-      {"error_mu", f.error_sliding, "-", "estimated relative error of mu on this domain"},
-      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces", "",
-       "error_mu_rolling"},
-      {"error_mu_rolling", f.error_rolling, "-", "estimated relative error of mu_rolling on this domain"},
-      {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
-      {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
-      {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
-      {"largest_shear_stress", f.largest_stress, "p_h", "largest shear stress of sliding, in the pressurized film",
-       "largest_stress"},
-      {"limited_share", f.limited_share, "-", "share of the load on which the limiting stress acts"}};
-  if (f.counts_outside) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside the domain"});
-  if (f.counts_outside)
-    list.push_back({f.line ? "mu_upstream" : "mu_rolling_beyond", f.rolling_beyond, "-",
-                    f.line ? "part of mu_rolling from upstream of the domain"
-                           : "part of mu_rolling from outside of the domain, up to the meniscus"});
-  if (std::isfinite(f.parameters.meniscus))
-    list.push_back(
-        {"meniscus", f.parameters.meniscus, "a", "distance of the inlet meniscus up to which friction is counted"});
-  if (f.outer != 0.0)
-    list.push_back({"mu_rolling_outer", f.outer, "-",
-                    "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as "
-                    "much if it is full of oil"});
-  if (std::isfinite(f.side))
-    list.push_back({"mu_side", f.side, "-", "force of the film on each surface along +y over the load"});
-  return list;
-}
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
   friction::Parameters parameters = parameters_of(input);

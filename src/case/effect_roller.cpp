@@ -7,6 +7,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "case/roller_input.hpp"
 #include "case/roller_report.hpp"
 #include "core/constants.hpp"
@@ -139,18 +140,16 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 
 Json json(const Case& input, const Computed& computed) {
   Json report;
-  add(roller_quantities(input, *computed.roller), report);
-  add_in_SI(roller_quantities(input, *computed.roller), si_scales(input.physics), report);
+  const std::vector<results::Quantity> list = numbers::quantities("roller", {input, computed});
+  add(list, report);
+  add_in_SI(list, si_scales(input.physics), report);
   add_warnings(roller_warnings(*computed.roller), report);
   report["seconds"] = computed.roller->seconds;
   return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
-  for (results::Quantity& one : roller_quantities(input, *computed.roller)) {
-    one.name = "roller_" + one.name;
-    content.summary.push_back(std::move(one));
-  }
+  numbers::append("roller", {input, computed}, content.summary);
   content.summary.push_back(
       {"roller_warnings", deck::joined(told(roller_warnings(*computed.roller)), "\n"), "", "one per line"});
   content.tables.push_back(

@@ -6,6 +6,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "case/sliding_input.hpp"
 #include "rheology/shear_keys.hpp"
 
@@ -41,14 +42,6 @@ std::string idle(const Case& input) {
   return carreau && carreau->n == 1.0 ? "n = 1 is a Newtonian oil" : "";
 }
 
-std::vector<results::Quantity> quantities(const HeatResult& flow) {
-  return {{"Hc_without", flow.Hc_isothermal, "a^2/R", "film at (0,0), thinned by the sliding alone"},
-          {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, thinned by the sliding alone"},
-          {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, thinned by the sliding alone"},
-          {"mu", flow.mu, "-", "sliding friction over the load", "", "error_mu"},
-          {"error_mu", flow.error_mu, "-", "estimated relative discretization error of mu"}};
-}
-
 std::string summary(const Case& input, const Computed& computed) {
   if (!computed.flow) return "";
   const HeatResult& flow = *computed.flow;
@@ -63,7 +56,7 @@ std::string summary(const Case& input, const Computed& computed) {
 Json json(const Case& input, const Computed& computed) {
   if (!computed.flow) return nullptr;
   Json report;
-  add(quantities(*computed.flow), report);
+  add(numbers::quantities("shear", {input, computed}), report);
   if (!input.friction) add_warnings(computed.flow->friction_warnings, report);
   report["seconds"] = computed.flow->found.seconds;
   return report;

@@ -3,6 +3,7 @@
 
 #include "base/json.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "case/starvation_report.hpp"
 #include "case/supply_input.hpp"
 #include "effects/starvation/keys.hpp"
@@ -31,8 +32,9 @@ Needs expense(const Case& input) {
 nlohmann::ordered_json json(const Case& input, const Computed& computed) {
   Json report;
   const steady::Solution& solution = computed.solution;
-  add(starvation_quantities(input, solution), report);
-  add_in_SI(starvation_quantities(input, solution), si_scales(input.physics), report);
+  const std::vector<results::Quantity> list = numbers::quantities("starvation", {input, computed});
+  add(list, report);
+  add_in_SI(list, si_scales(input.physics), report);
   if (solution.passes.empty()) return report;
   report["track"] = rows_json(pass_columns(input, solution), solution.passes);
   return report;
@@ -42,7 +44,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   const steady::Solution& solution = computed.solution;
   content.fields.push_back(
       {"theta", "-", "oil content: share of the gap that the oil fills, Q/(rho H)", &solution.theta});
-  for (results::Quantity& one : starvation_quantities(input, solution)) content.summary.push_back(std::move(one));
+  numbers::append("starvation", {input, computed}, content.summary);
   if (solution.passes.empty()) return;
   content.tables.push_back(
       table_of("passes", "successive contacts on the track", pass_columns(input, solution), solution.passes));

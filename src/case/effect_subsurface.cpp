@@ -7,6 +7,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
 #include "effects/subsurface/keys.hpp"
 
@@ -46,25 +47,6 @@ std::string maximum_line(const char* label, const Maximum& maximum, const Physic
            ", " + place;
   return label + (" " + pressure_in_GPa(maximum.value * si->p_h)) + ", at " + place_text(maximum.X, maximum.Y, *si) +
          fmt::format(", depth {:.2f} um; ", 1e6 * si->a * maximum.Z) + own + ", " + place;
-}
-
-std::vector<results::Quantity> quantities(const StressField& field) {
-  std::vector<results::Quantity> list;
-  const auto add_maximum = [&](const std::string& name, const Maximum& maximum) {
-    const std::string file = "largest_" + name;
-    list.push_back({file, maximum.value, "p_h", "largest value, interpolated by parabolas between nodes and planes",
-                    name + "/value"});
-    list.push_back({file + "_x", maximum.X, "a", "its position", name + "/X"});
-    list.push_back({file + "_y", maximum.Y, "a", "its position", name + "/Y"});
-    list.push_back({file + "_z", maximum.Z, "a", "its position: depth", name + "/Z"});
-    list.push_back({"", maximum.on_node, "p_h", "largest value of all nodes", name + "/on_node"});
-  };
-  add_maximum("sigma_mises", field.mises);
-  add_maximum("tau_max", field.shear);
-  list.push_back({"poisson", field.parameters.nu, "-", "Poisson's ratio of the body"});
-  list.push_back({"friction", field.parameters.friction, "-", "shear traction along +x over pressure"});
-  list.push_back({"seconds", field.seconds, "s", "time of the stresses"});
-  return list;
 }
 
 void read(Case& input) {
@@ -114,17 +96,18 @@ std::string summary(const Case& input, const Computed& computed) {
 Json json(const Case& input, const Computed& computed) {
   const StressField& field = *computed.stresses;
   Json report;
-  add(quantities(field), report);
-  add_in_SI(quantities(field), si_scales(input.physics), report);
+  const std::vector<results::Quantity> list = numbers::quantities("stresses", {input, computed});
+  add(list, report);
+  add_in_SI(list, si_scales(input.physics), report);
   report["depth"] = field.depths.back();
   report["planes"] = field.depths.size();
-  report["nx"] = field.grid.nx;
-  report["ny"] = field.grid.ny;
+  report[id::nx] = field.grid.nx;
+  report[id::ny] = field.grid.ny;
   add_warnings(field.warnings, report);
   return report;
 }
 
-void add_content(const Case&, const Computed& computed, results::Content& content) {
+void add_content(const Case& input, const Computed& computed, results::Content& content) {
   const StressField& field = *computed.stresses;
   results::Volume& volume = content.volume;
   volume.group = "/subsurface";
@@ -143,7 +126,7 @@ void add_content(const Case&, const Computed& computed, results::Content& conten
     volume.section.push_back({subsurface::name(quantity), "p_h", subsurface::meaning(quantity),
                               &field.section[static_cast<std::size_t>(k)]});
   }
-  volume.numbers = quantities(field);
+  volume.numbers = numbers::quantities("stresses", {input, computed});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "case/thermal_report.hpp"
 #include "deck/text.hpp"
 #include "rheology/thermal_keys.hpp"
@@ -75,9 +76,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   for (const auto& one : all)
     if (kept(input, one.name))
       content.fields.push_back({one.name, "K", std::string("temperature above T_oil: ") + one.meaning, one.field});
-  for (results::Quantity& one : thermal_quantities(input, *computed.heat))
-    if (!input.friction || (one.name != "mu" && one.name != "error_mu"))  // which [friction] adds
-      content.summary.push_back(std::move(one));
+  numbers::append("thermal", {input, computed}, content.summary);  // but mu and its error, where [friction] has added them
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
       {"thermal_warnings", deck::joined(told(thermal_warnings(input, *computed.heat)), "\n"), "", "one per line"});
@@ -88,7 +87,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 Json json(const Case& input, const Computed& computed) {
   if (!computed.heat) return nullptr;
   Json report;
-  add(thermal_quantities(input, *computed.heat), report);
+  add(numbers::quantities("thermal", {input, computed}), report);
   report["levels"] = rows_json(thermal_columns(*input.heat), computed.heat->found.rows);
   add_warnings(thermal_warnings(input, *computed.heat), report);
   report["seconds"] = computed.heat->found.seconds;

@@ -6,6 +6,7 @@
 
 #include "base/json.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
 #include "transient/keys.hpp"
 
@@ -90,7 +91,12 @@ Effect transient_effect() {
               },
           .json =
               [](const Case& input, const Computed& computed) {
-                return computed.in_time ? transient_json(input, *computed.in_time) : Json();
+                if (!computed.in_time) return Json();
+                const std::vector<results::Quantity> list = numbers::quantities("transient", {input, computed});
+                Json report;
+                add(list, report);
+                add_in_SI(list, si_scales(input.physics), report);
+                return report;
               },
           .add_content =
               [](const Case& input, const Computed& computed, results::Content& content) {

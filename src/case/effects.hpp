@@ -97,8 +97,6 @@ Effect thermal_effect();
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);
 /// Makes the solver compute mu and mu_rolling on every level if the case reports friction, so that they get error bars.
 void observe_friction(Case& input);
-/// The numbers of the friction, for the JSON report, the result file and the tables.
-std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 
 /// The words for the parts of the basic model that no effect replaces: "steady, smooth, ..., fully flooded".
 std::vector<std::string> basic_model(const Case& input);

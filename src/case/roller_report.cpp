@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text_format.hpp"
+#include "case/numbers/names.hpp"
 #include "core/constants.hpp"
 
 namespace ehl::program {
@@ -13,10 +14,6 @@ namespace {
 using roller::Distribution;
 using roller::End;
 using roller::Slice;
-
-// The end with the higher pressure.
-const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
-double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
 
 // Relative errors from the values on half as many cells. `of_nodes` accounts for maxima between the
 // nodes. [bench: roller_bars]
@@ -27,23 +24,6 @@ double bar_of_highest(double value, double coarser) {
 double bar_of_least(double value, double coarser) {
   constexpr double safety = 4.0;
   return safety * std::abs(value - coarser) / std::abs(value);
-}
-
-struct Bars {
-  double P_middle = core::unknown, P_end = core::unknown, H_end = core::unknown;
-  double mises_middle = core::unknown, mises_end = core::unknown;
-};
-Bars bars_of(const RollerResult& result) {
-  if (!result.coarser) return {};
-  const Distribution& found = result.found;
-  const Distribution& coarser = *result.coarser;
-  Bars bars{.H_end = bar_of_least(least_at_ends(found), least_at_ends(coarser))};
-  if (!result.pressures_settle) return bars;
-  bars.P_middle = bar_of_highest(found.middle.P_max, coarser.middle.P_max);
-  bars.P_end = bar_of_highest(harder(found).P, harder(coarser).P);
-  bars.mises_middle = bar_of_highest(result.mises_middle, result.mises_middle_coarser);
-  bars.mises_end = bar_of_highest(result.mises_end, result.mises_end_coarser);
-  return bars;
 }
 
 std::string with_bar(double error) { return std::isfinite(error) ? fmt::format(" +- {:.2g} %", 100.0 * error) : ""; }
@@ -63,51 +43,36 @@ std::string place_text(double Y, const Physics& physics) {
   return si ? fmt::format("{:.3f} mm", 1e3 * si->a * Y) : fmt::format("{:.3f} a", Y);
 }
 
+}  // namespace
+
+// The end with the higher pressure.
+const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
+double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
+
+RollerBars bars_of(const RollerResult& result) {
+  if (!result.coarser) return {};
+  const Distribution& found = result.found;
+  const Distribution& coarser = *result.coarser;
+  RollerBars bars{.H_end = bar_of_least(least_at_ends(found), least_at_ends(coarser))};
+  if (!result.pressures_settle) return bars;
+  bars.P_middle = bar_of_highest(found.middle.P_max, coarser.middle.P_max);
+  bars.P_end = bar_of_highest(harder(found).P, harder(coarser).P);
+  bars.mises_middle = bar_of_highest(result.mises_middle, result.mises_middle_coarser);
+  bars.mises_end = bar_of_highest(result.mises_end, result.mises_end_coarser);
+  return bars;
+}
+
 double moment_Nm(const Case& input, const Distribution& found) {
   return input.physics.si ? whole_load(*input.physics.si) * found.load_centre * input.physics.si->hertz.a
                           : core::unknown;
 }
 
-}  // namespace
-
 std::vector<Column<Slice>> slice_columns() {
   return {{"y", "a", "along the roller", &Slice::Y},
-          {"load", "-", "load per length over the mean", &Slice::load},
-          {"P_max", "p_h", "highest pressure of the line", &Slice::P_max},
+          {id::load, "-", "load per length over the mean", &Slice::load},
+          {id::P_max, "p_h", "highest pressure of the line", &Slice::P_max},
           {"H_min", "a^2/R", "least film of the line", &Slice::H_min},
           {"H_c", "a^2/R", "film at x = 0", &Slice::H_c}};
-}
-
-std::vector<results::Quantity> roller_quantities(const Case& input, const RollerResult& result) {
-  const Distribution& found = result.found;
-  const End& end = harder(found);
-  const Bars bars = bars_of(result);
-  std::vector<results::Quantity> list{
-      {"length", input.roller->length, "a", "of the roller"},
-      {"P_middle", found.middle.P_max, "p_h", "highest pressure on the line y = 0"},
-      {"error_P_middle", bars.P_middle, "-", "its relative error by the grid of half as many cells"},
-      {"P_middle_dry", result.dry.middle.P_max, "p_h", "the same without oil"},
-      {"load_middle", found.middle.load, "-", "load per length there over the mean"},
-      {"P_end", end.P, "p_h", "highest pressure on the outer tenth of the length"},
-      {"P_end_y", end.P_Y, "a", "where it is"},
-      {"error_P_end", bars.P_end, "-", "its relative error, likewise"},
-      {"P_end_dry", harder(result.dry).P, "p_h", "the same without oil"},
-      {"H_end", least_at_ends(found), "a^2/R", "least film on the outer tenth of the length"},
-      {"error_H_end", bars.H_end, "-", "its relative error, likewise"},
-      {"load_centre", found.load_centre, "a", "y of the resultant of the pressure"},
-      {"moment", moment_Nm(input, found), "N m", "of the pressure about the x axis"}};
-  if (const roller::Trace& trace = input.roller->trace; input.roller->shape == roller::Profile::Shape::table) {
-    list.push_back({"Rq", trace.rough, "a^2/R", "roughness of the traced profile without its form"});
-    list.push_back({"Rq_before_filter", trace.rough_before, "a^2/R", "the same before short waves were taken away"});
-    list.push_back({"levelled_slope", trace.slope, "-", "dH/dY that was taken away of the trace"});
-  }
-  if (!std::isfinite(result.mises_end)) return list;
-  list.push_back({"mises_middle", result.mises_middle, "p_h", "largest von Mises stress below the middle half"});
-  list.push_back(
-      {"error_mises_middle", bars.mises_middle, "-", "its relative error by the grid of half as many cells"});
-  list.push_back({"mises_end", result.mises_end, "p_h", "the same below the outer tenth of the length"});
-  list.push_back({"error_mises_end", bars.mises_end, "-", "its relative error"});
-  return list;
 }
 
 core::Warnings edge_warnings(const Distribution& found) {
@@ -136,7 +101,7 @@ std::string roller_summary(const Case& input, const Computed& computed) {
   const Distribution& found = result.found;
   const Physics& physics = input.physics;
   const End& end = harder(found);
-  const Bars bars = bars_of(result);
+  const RollerBars bars = bars_of(result);
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text = fmt::format("roller       middle: p = {}{}, dry {}; load per length {:.4f} of the mean{}\n",
                                  pressure_text(found.middle.P_max, physics), with_bar(bars.P_middle),

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a roller, for the report, the JSON and the result file.
+// What the report and the numbers of a roller are made of.
 #include <string>
 #include <vector>
 
@@ -10,8 +10,17 @@
 
 namespace ehl::program {
 
-/// The distribution along the roller as quantities and as a table: one row per slice.
-std::vector<results::Quantity> roller_quantities(const Case& input, const RollerResult& result);
+/// Relative errors from the grid of half as many cells; NaN: not known.
+struct RollerBars {
+  double P_middle = core::unknown, P_end = core::unknown, H_end = core::unknown;
+  double mises_middle = core::unknown, mises_end = core::unknown;
+};
+RollerBars bars_of(const RollerResult& result);
+/// The end with the higher pressure, and the least film of both.
+const roller::End& harder(const roller::Distribution& found);
+double least_at_ends(const roller::Distribution& found);
+/// Moment of the pressure about the x axis [N m]; NaN without SI.
+double moment_Nm(const Case& input, const roller::Distribution& found);
 std::vector<Column<roller::Slice>> slice_columns();
 /// Warnings about loaded ends, where the assumption of half-spaces fails. In a sweep, which computes no coarser grid,
 /// these are the only warnings about a roller.

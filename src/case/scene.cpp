@@ -10,6 +10,7 @@
 #include "case/effects.hpp"
 #include "case/machine_input.hpp"
 #include "case/needs.hpp"
+#include "case/numbers/names.hpp"
 #include "case/roller_input.hpp"
 #include "case/supply_input.hpp"
 #include "case/touching.hpp"
@@ -101,17 +102,18 @@ void read_names(const std::string& path, Case& input) {
 void read_errors(Case& input, bool steady) {
   steady::Scene& scene = input.scene;
   scene.error_maps =
-      std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_"); });
+      std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_map_"); });
   if (scene.grid.line && !scene.error_maps)
     deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "line contact");
   scene.adjoint_errors = steady::read_adjoint_errors(input.deck);
   if (scene.error_maps && deck::called_for(input.deck, "supply"))
     deck::Part{input.deck, "output"}.complain(
-        "fields", "error_Hc and error_Hm are available for flooded contacts only: remove them, or [supply]");
+        "fields", "error_map_Hc and error_map_Hm are available for flooded contacts only: remove them, or [supply]");
   else if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
-    deck::Part{input.deck, "output"}.complain("fields",
-                                              "error_Hc and error_Hm are available for steady contacts with wedge = "
-                                              "upstream3 and [grid] errors = adjoint only");
+    deck::Part{input.deck, "output"}.complain(
+        "fields",
+        "error_map_Hc and error_map_Hm are available for steady contacts with wedge = "
+        "upstream3 and [grid] errors = adjoint only");
 }
 
 }  // namespace
@@ -146,10 +148,11 @@ std::vector<deck::Key> case_keys() {
             {.name = "fields",
              .type = Type::words,
              .default_text = "P, H",
-             .words = {"P", "H", "rho_bar", "ln_eta_bar", "error_Hc", "error_Hm"},
-             .meaning = "Fields to store. P: pressure. H: film thickness. rho_bar: density. ln_eta_bar: logarithm of "
-                        "the viscosity. error_Hc, error_Hm: maps of the contributions to the discretization errors of "
-                        "Hc and Hm, with [grid] errors = adjoint and wedge = upstream3."}})});
+             .words = {"P", "H", "rho_bar", "ln_eta_bar", id::error_map_Hc, id::error_map_Hm},
+             .meaning =
+                 "Fields to store. P: pressure. H: film thickness. rho_bar: density. ln_eta_bar: logarithm of "
+                 "the viscosity. error_map_Hc, error_map_Hm: maps of the contributions to the discretization errors of "
+                 "Hc and Hm, with [grid] errors = adjoint and wedge = upstream3."}})});
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 #include "contact/ellipse.hpp"
 #include "core/constants.hpp"
 #include "deck/text.hpp"
@@ -19,17 +20,6 @@ using steady::Starvation;
 
 /// Exponent gamma of starvation::by_supply near r = 1; modules/effects/starvation/README.md.
 constexpr double usual_gamma = 3.0;
-
-double meniscus_factor(const Case& input, const Starvation& found) {
-  return !input.scene.grid.line && contact::circular(input.scene.shape)
-             ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
-             : unknown;
-}
-
-double factor_by_supply(const Case& input, const Starvation& found) {
-  const double r = found.supply_ratio;
-  return input.scene.grid.line ? std::fmin(r, 1.0) : starvation::by_supply(r, usual_gamma);
-}
 
 /// Formulas for passes over a track on which the layer returns unchanged; otherwise NaN.
 class PassFormulas {
@@ -71,7 +61,7 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
   const bool in_SI = input.physics.si.has_value();
   std::string text =
       fmt::format("passes            r  factor  {:>9}  {:>9}    p_max  meniscus       left  thin layers  steps\n",
-                  in_SI ? "h_c [nm]" : "Hc", in_SI ? "h_m [nm]" : "Hm");
+                  in_SI ? "h_c [nm]" : id::Hc, in_SI ? "h_m [nm]" : id::Hm);
   const auto film = [&](double H) {
     return in_SI ? fmt::format("{:9.2f}", 1e9 * input.physics.si->hertz.h_scale * H) : fmt::format("{:9.5f}", H);
   };
@@ -97,7 +87,7 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
 std::string line_of_oil(const Case& input, const Starvation& found) {
   std::string text = fmt::format("             oil through the contact {:.6f} rho0 u_m a^2/R", found.through);
   if (input.physics.si) {
-    const SiUnit unit = si_unit("rho0 u_m a^2/R", *si_scales(input.physics));
+    const SiUnit unit = si_unit(numbers::number_of(id::oil_in).unit.of(true), *si_scales(input.physics));
     text += fmt::format(" = {:.4g} {}", unit.factor * found.through, unit.name);
   }
   text += fmt::format("; imbalance {:.1e}\n", found.imbalance);
@@ -108,64 +98,45 @@ std::string line_of_oil(const Case& input, const Starvation& found) {
 
 }  // namespace
 
-std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution) {
-  const Starvation& found = *solution.starvation;
+double factor_by_meniscus(const Case& input, const Starvation& found) {
+  return !input.scene.grid.line && contact::circular(input.scene.shape)
+             ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
+             : unknown;
+}
+
+double factor_by_supply(const Case& input, const Starvation& found) {
   const double r = found.supply_ratio;
-  const bool line = input.scene.grid.line;
-  const std::string flow = line ? "rho0 u_m a^2/R" : "rho0 u_m a^3/R";
-  std::vector<results::Quantity> list{
-      {"starvation_factor", found.factor, "-", "rho H at the centre over that of the flooded contact"},
-      {"supply_ratio", r, "-", "r: what is brought on y = 0 over rho H at the centre of the flooded contact"},
-      {"Hc_flooded", found.Hc_flooded, "a^2/R", "film at (0,0) of the flooded contact on the same grid"},
-      {"Hm_flooded", found.Hm_flooded, "a^2/R", "its smallest film"},
-      {"meniscus_x", found.meniscus_X, "a", "where the inlet becomes full on y = 0", "meniscus_X"},
-      {"meniscus_cells", found.cells_to_inlet, "-", "cells from the inlet to the first full node"},
-      {"oil_in", found.in, flow, "oil through the inlet boundary"},
-      {"oil_through", found.through, flow,
-       line ? "oil through the contact" : "oil through the contact, |y| <= 1 at x = 0"},
-      {"oil_around", found.around(), flow, "oil that leaves by the outlet and has passed beside the contact"},
-      {"oil_aside", found.aside, flow, "oil through the sides of the domain"},
-      {"mass_imbalance", found.imbalance, "-", "(out + aside - in)/in"},
-      {"gamma", line ? unknown : starvation::gamma_of(r, found.factor), "-",
-       "of which r/(1 + r^gamma)^(1/gamma) is the factor"},
-      {"factor_by_supply", factor_by_supply(input, found), "-",
-       line ? "the lesser of r and 1: nothing flows aside" : "r/(1 + r^3)^(1/3)"},
-      {"factor_by_meniscus", meniscus_factor(input, found), "-", "Hamrock and Dowson 1977; of circles"},
-      {"flooded_inlet", line ? unknown : starvation::flooded_inlet(found.Hc_flooded), "a",
-       "inlet of a flooded film by the same"}};
-  if (!solution.passes.empty())
-    list.push_back({"passes", solution.passes.back().number, "-", "the last of which this is"});
-  return list;
+  return input.scene.grid.line ? std::fmin(r, 1.0) : starvation::by_supply(r, usual_gamma);
 }
 
 std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution& solution) {
   const PassFormulas formulas(input.scene, solution.passes.front());
+  using numbers::column;
   std::vector<Column<Pass>> columns{
       {"pass", "-", "contacts on the track so far", &Pass::number},
-      {"supply_ratio", "-", "what is brought on y = 0 over rho H at the centre of the flooded contact",
-       &Pass::supply_ratio},
+      column<Pass>(id::supply_ratio, &Pass::supply_ratio),
       {"supply_error", "-", "estimated relative error of what is brought, of the mesh of all passes before",
        &Pass::supply_error},
       {"factor", "-", "rho H at the centre over that of the flooded contact", &Pass::factor},
-      {"Hc", "a^2/R", "film at (0,0)", &Pass::Hc},
-      {"Hm", "a^2/R", "smallest film of all nodes", &Pass::Hm},
-      {"P_max", "p_h", "highest pressure of all nodes", &Pass::P_max},
-      {"meniscus_x", "a", "where the inlet becomes full on y = 0", &Pass::meniscus_X},
+      column<Pass>(id::Hc, &Pass::Hc),
+      column<Pass>(id::Hm, &Pass::Hm),
+      column<Pass>(id::P_max, &Pass::P_max),
+      column<Pass>(id::meniscus_x, &Pass::meniscus_X),
       {"left", "a^2/R", "oil left behind on y = 0", &Pass::left},
       {"thin_layers", "a^2/R", "the same of thin layers: van Zoelen, Venner, Lugt 2012",
        [formulas](const Pass& pass) { return formulas.thin_layer(pass); }},
       {"factor_by_passes", "-", "factor by r_n^-3 = r^-3 + n: layers that stay even",
        [formulas](const Pass& pass) { return formulas.factor(pass); }},
-      {"oil_in", "rho0 u_m a^3/R", "oil through the inlet boundary", &Pass::in},
-      {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", &Pass::aside},
-      {"mass_imbalance", "-", "(out + aside - in)/in", &Pass::imbalance},
+      column<Pass>(id::oil_in, &Pass::in),
+      column<Pass>(id::oil_aside, &Pass::aside),
+      column<Pass>(id::mass_imbalance, &Pass::imbalance),
       {"steps", "-", "cycles, or steps of Newton's method", &Pass::steps},
-      {"residual", "-", "relative residual of the Reynolds equation", &Pass::residual},
+      column<Pass>(id::residual, &Pass::residual),
       {"first_order", "-", "nodes at the edge of the film behind which the flux is of first order", &Pass::first_order},
       {"chatters", "-", "1: a node at the edge of the film chatters", &Pass::swings}};
   if (const double between = deck::number(input.deck, "supply", "pass_time"); std::isfinite(between))
     columns.insert(columns.begin() + 1,
-                   {"time", "s", "at the pass", [between](const Pass& pass) { return (pass.number - 1) * between; }});
+                   {id::time, "s", "at the pass", [between](const Pass& pass) { return (pass.number - 1) * between; }});
   return columns;
 }
 
@@ -207,7 +178,7 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
   if (contact::circular(input.scene.shape))
     text +=
         fmt::format(", {:.4f} by the meniscus (Hamrock, Dowson 1977; flooded from x = {} on)",
-                    meniscus_factor(input, found), length_text(input, -starvation::flooded_inlet(found.Hc_flooded)));
+                    factor_by_meniscus(input, found), length_text(input, -starvation::flooded_inlet(found.Hc_flooded)));
   text += "\n";
   return solution.passes.empty() ? text : text + pass_table(input, solution);
 }

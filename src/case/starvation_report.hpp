@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a contact with a supply, for the report, the JSON, the result file and the tables.
+// What the report and the numbers of a contact with a supply are made of.
 #include <string>
 #include <vector>
 
@@ -9,8 +9,10 @@
 
 namespace ehl::program {
 
-/// Starvation factor, supply, meniscus and oil flows, each with unit and meaning.
-std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution);
+/// The starvation factor by formulas: of the supply (Chevalier 1998), of the meniscus (Hamrock, Dowson 1977; NaN: no
+/// circle).
+double factor_by_supply(const Case& input, const steady::Starvation& found);
+double factor_by_meniscus(const Case& input, const steady::Starvation& found);
 /// Columns for the passes over a track, with the published formulas.
 std::vector<Column<steady::Pass>> pass_columns(const Case& input, const steady::Solution& solution);
 /// The layer across the track after every pass: columns pass, y, layer.

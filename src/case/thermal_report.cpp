@@ -6,29 +6,11 @@
 #include <cmath>
 
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 #include "rheology/temperature.hpp"
-#include "thermal/inlet_heating.hpp"
 
 namespace ehl::program {
 namespace {
-
-thermal::InletGroups inlet_groups(const Case& input) {
-  const contact::SiContact& contact = input.physics.si->contact;
-  const double u_m = 0.5 * contact.u_s;
-  return {.L = contact.eta0 * input.heat->beta * u_m * u_m / input.heat->k,
-          .srr = input.physics.srr,
-          .p_h_over_E = input.physics.p_h / contact.E_prime};
-}
-
-double reduction(const HeatResult& heat) { return heat.found.rows.back().Hc / heat.Hc_isothermal; }
-
-void add_place(const std::string& name, const std::string& meaning, const heat::Hottest& at, double T0,
-               std::vector<results::Quantity>& list) {
-  list.push_back({name, T0 * at.theta, "K", meaning + ": highest temperature above T_oil"});
-  list.push_back({name + "_x", at.X, "a", "where it is"});
-  list.push_back({name + "_y", at.Y, "a", "where it is"});
-  list.push_back({"error_" + name, at.error, "-", "estimated relative discretization error of the rise"});
-}
 
 std::string hottest_text(const Case& input, const char* name, const heat::Hottest& at) {
   const std::string bar = std::isfinite(at.error) ? " +- " + percent(at.error) : "";
@@ -45,58 +27,32 @@ constexpr double most_per_interval = 34.0 / 16.0;
 
 }  // namespace
 
-const char* unit_of_heat(bool line) { return line ? "W/m" : "W"; }
-
-std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat) {
-  const heat::Solution& found = heat.found;
-  const HeatInput& in = *input.heat;
-  const thermal::InletGroups inlet = inlet_groups(input);
-  const std::string watt = unit_of_heat(input.scene.grid.line);
-  std::vector<results::Quantity> list{
-      {"mu", heat.mu, "-", "sliding friction over the load, with heat", "", "error_mu"},
-      {"mu_isothermal", heat.mu_isothermal, "-",
-       std::string("the same of the isothermal contact") + (heat.unlikely_isothermal ? "; no oil carries it" : "")},
-      {"error_mu", heat.error_mu, "-", "estimated relative discretization error of mu"}};
-  add_place("T_film_max", "film", found.in_film, in.T0, list);
-  add_place("T1_max", "surface 1", found.on_1, in.T0, list);
-  add_place("T2_max", "surface 2", found.on_2, in.T0, list);
-  const std::vector<results::Quantity> rest{
-      {"T_film_mean", in.T0 * found.mean, "K", "middle of the film above T_oil, mean weighted with the pressure"},
-      {"T_inlet", in.T0 * found.inlet, "K", "middle of the film above T_oil at x = -a, y = 0"},
-      {"heat_made", in.power * found.balance.heat, watt, "in the film, by shear and compression"},
-      {"heat_1", in.power * found.balance.into_1, watt, "into body 1"},
-      {"heat_2", in.power * found.balance.into_2, watt, "into body 2"},
-      {"heat_carried", in.power * found.balance.carried, watt, "out of the domain with the oil"},
-      {"heat_imbalance", found.balance.defect, "-", "heat made less heat led away, over heat made"},
-      {"nahme", found.nahme, "-", "largest beta tau_m |u1 - u2| h/k"},
-      {"peclet_1", in.setup.body_1.Pe, "-", "u1 a over the diffusivity of body 1"},
-      {"peclet_2", in.setup.body_2.Pe, "-", "u2 a over the diffusivity of body 2"},
-      {"Hc_isothermal", heat.Hc_isothermal, "a^2/R", "film at (0,0) of the isothermal contact"},
-      {"Hm_isothermal", heat.Hm_isothermal, "a^2/R", "its smallest film"},
-      {"film_reduction", reduction(heat), "-", "Hc over Hc_isothermal"},
-      {"wilson_sheu", thermal::wilson_sheu(inlet), "-", "the same by Wilson and Sheu 1983"},
-      {"gupta", thermal::gupta(inlet), "-", "the same by Gupta et al. 1992"},
-      {"murch_wilson", input.physics.srr == 0.0 ? thermal::murch_wilson(inlet) : NAN, "-",
-       "the same by Murch and Wilson 1975, pure rolling"}};
-  list.insert(list.end(), rest.begin(), rest.end());
-  return list;
+thermal::InletGroups inlet_groups(const Case& input) {
+  const contact::SiContact& contact = input.physics.si->contact;
+  const double u_m = 0.5 * contact.u_s;
+  return {.L = contact.eta0 * input.heat->beta * u_m * u_m / input.heat->k,
+          .srr = input.physics.srr,
+          .p_h_over_E = input.physics.p_h / contact.E_prime};
 }
+
+double film_reduction(const HeatResult& heat) { return heat.found.rows.back().Hc / heat.Hc_isothermal; }
 
 std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input) {
   using Row = heat::Row;
   const double T0 = input.T0;
   const auto kelvin = [T0](double Row::*theta) { return [T0, theta](const Row& row) { return T0 * row.*theta; }; };
-  return {{"nx", "-", "cells along x", &Row::nx},
-          {"ny", "-", "cells along y", &Row::ny},
+  using numbers::column;
+  return {column<Row>(id::nx, &Row::nx),
+          column<Row>(id::ny, &Row::ny),
           {"passes", "-", "of a sweep of the temperature and a cycle", &Row::passes},
-          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
-          {"Hm", "a^2/R", "smallest film of all nodes", &Row::Hm},
-          {"mu", "-", "sliding friction of the pressurised film over the load", &Row::mu},
-          {"T_film_max", "K", "highest temperature of the film above T_oil", kelvin(&Row::film)},
-          {"T1_max", "K", "of surface 1", kelvin(&Row::surface_1)},
-          {"T2_max", "K", "of surface 2", kelvin(&Row::surface_2)},
-          {"heat_imbalance", "-", "heat made less heat led away, over heat made", &Row::defect},
-          {"seconds", "s", "time on the grid", &Row::seconds}};
+          column<Row>(id::Hc, &Row::Hc),
+          column<Row>(id::Hm, &Row::Hm),
+          {id::mu, "-", "sliding friction of the pressurised film over the load", &Row::mu},
+          column<Row>(id::T_film_max, kelvin(&Row::film)),
+          column<Row>(id::T1_max, kelvin(&Row::surface_1)),
+          column<Row>(id::T2_max, kelvin(&Row::surface_2)),
+          column<Row>(id::heat_imbalance, &Row::defect),
+          {id::seconds, "s", "time on the grid", &Row::seconds}};
 }
 
 core::Warnings thermal_warnings(const Case& input, const HeatResult& heat) {
@@ -163,11 +119,12 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
       "             heat {0:.4g} {5} made, {1:.4g} {5} into body 1, {2:.4g} {5} into body 2, {3:.3g} {5} with the oil; "
       "imbalance {4:.0e}{6}\n",
       in.power * found.balance.heat, in.power * found.balance.into_1, in.power * found.balance.into_2,
-      in.power * found.balance.carried, std::abs(found.balance.defect), unit_of_heat(input.scene.grid.line), mark);
+      in.power * found.balance.carried, std::abs(found.balance.defect),
+      numbers::number_of(id::heat_1).unit.of(input.scene.grid.line), mark);
   text += fmt::format(
       "             film {:.3f} of the isothermal one; inlet heating by Wilson, Sheu 1983 {:.3f}, Gupta et "
       "al. 1992 {:.3f}{}{}\n",
-      reduction(heat), thermal::wilson_sheu(inlet), thermal::gupta(inlet),
+      film_reduction(heat), thermal::wilson_sheu(inlet), thermal::gupta(inlet),
       input.physics.srr == 0.0 ? fmt::format(", Murch, Wilson 1975 {:.3f}", thermal::murch_wilson(inlet)) : "", mark);
   text += fmt::format("             Nahme's number {:.3g}; passes per grid", found.nahme);
   for (const heat::Row& row : found.rows) text += fmt::format(" {}", row.passes);

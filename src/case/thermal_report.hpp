@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a contact with heat, for the report, the JSON, the result file and the tables.
+// What the report and the numbers of a contact with heat are made of.
 #include <string>
 #include <vector>
 
@@ -7,13 +7,14 @@
 #include "case/computed.hpp"
 #include "case/scene.hpp"
 #include "core/warning.hpp"
+#include "thermal/inlet_heating.hpp"
 
 namespace ehl::program {
 
-/// The unit of heat flow: "W"; "W/m" for a line contact.
-const char* unit_of_heat(bool line);
-/// Friction, temperatures and heat flows, each with unit, meaning and error.
-std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat);
+/// The groups of the formulas for heating in the inlet.
+thermal::InletGroups inlet_groups(const Case& input);
+/// Hc over that of the isothermal contact.
+double film_reduction(const HeatResult& heat);
 /// Columns for the sequence of grids, with temperatures in kelvin.
 std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input);
 /// Warnings: temperatures outside the range of the laws, too few nodes across the film, surfaces at

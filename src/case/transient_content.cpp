@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/column.hpp"
+#include "case/numbers/number.hpp"
 #include "case/transient_input.hpp"
 #include "case/transient_run.hpp"
 #include "core/errors.hpp"
@@ -24,16 +24,17 @@ struct RowKind {
 
 // The columns of /transient, in order. in: the probes.
 std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes) {
-  std::vector<Column<StepRow>> columns{{"time", "a/u_m", "time reached", &StepRow::T},
-                                       {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc},
-                                       {"Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm},
-                                       {"Hm_x", "a", "its position", &StepRow::Hm_X},
-                                       {"Hm_y", "a", "its position", &StepRow::Hm_Y},
-                                       {"P_max", "p_h", "highest pressure of all nodes", &StepRow::P_max},
-                                       {"H00", "a^2/R", "mutual approach", &StepRow::H00},
-                                       {"load", "-", "prescribed load over that of the contact", &StepRow::load},
-                                       {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed},
-                                       {"load_error", "-", "relative error of the load", &StepRow::load_error}};
+  using numbers::column;
+  std::vector<Column<StepRow>> columns{column<StepRow>("/transient/time", &StepRow::T),
+                                       column<StepRow>(id::Hc, &StepRow::Hc),
+                                       column<StepRow>(id::Hm, &StepRow::Hm),
+                                       column<StepRow>(id::Hm_x, &StepRow::Hm_X),
+                                       column<StepRow>(id::Hm_y, &StepRow::Hm_Y),
+                                       column<StepRow>(id::P_max, &StepRow::P_max),
+                                       column<StepRow>(id::H00, &StepRow::H00),
+                                       column<StepRow>("/transient/load", &StepRow::load),
+                                       column<StepRow>("/transient/speed", &StepRow::speed),
+                                       column<StepRow>(id::load_error, &StepRow::load_error)};
   if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
@@ -41,11 +42,12 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   if (kind.oil) {
     const auto of_oil = [](double transient::OilInTime::*what) { return part(&StepRow::oil, what); };
     const std::string amount = kind.line ? "rho0 a^3/R" : "rho0 a^4/R";
-    const std::string flow = kind.line ? "rho0 u_m a^2/R" : "rho0 u_m a^3/R";
+    const std::string flow = numbers::number_of(id::oil_in).unit.of(kind.line);
     columns.push_back({"oil", amount, "oil between the bodies", of_oil(&transient::OilInTime::stored)});
-    columns.push_back({"oil_in", flow, "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
+    columns.push_back({id::oil_in, flow, "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
     columns.push_back({"oil_out", flow, "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
-    columns.push_back({"oil_aside", flow, "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
+    columns.push_back(
+        {id::oil_aside, flow, "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
     columns.push_back({"oil_from_nowhere", "-",
                        "oil mass error of the step over the inflow of the steady film in a/u_m",
                        of_oil(&transient::OilInTime::from_nowhere)});
@@ -54,7 +56,7 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   }
   columns.push_back({"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length});
   columns.push_back({"order", "-", "order of the time integration", &StepRow::order});
-  columns.push_back({"cycles", "-", "cycles of all attempts at the step", &StepRow::cycles});
+  columns.push_back({id::cycles, "-", "cycles of all attempts at the step", &StepRow::cycles});
   if (kind.newton) columns.push_back({"newton_steps", "-", "Newton steps of all attempts", &StepRow::newton_steps});
   columns.push_back({"rejected", "-", "attempts that failed the error test", &StepRow::rejected});
   columns.push_back({"not_solved", "-", "attempts that were not solved", &StepRow::not_solved});
@@ -86,8 +88,8 @@ std::vector<double> credible(const results::ResultFile& file, const std::string&
 std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string why = "command line: " + file.path() + " has no checkpoint: ";
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
-  if (credible(file, "/summary/transient_completed") == std::vector{1.0}) return why + "its run is complete";
-  const std::string ended = "/summary/transient_ended";  // files of earlier versions lack it
+  if (credible(file, numbers::path_of(id::transient_completed)) == std::vector{1.0}) return why + "its run is complete";
+  const std::string ended = numbers::path_of(id::transient_ended);  // files of earlier versions lack it
   const bool told = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
              ? why + "its run was not interrupted but ended because it could not continue" +
@@ -150,8 +152,6 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
                                                   .newton = input.scene.grid.line},
                                                  march.parameters.probes),
                                     result.rows));
-  if (std::isfinite(march.second))
-    content.scales.push_back({"time", 1.0 / march.second, "s", "a/u_m, the scale of time"});
   content.frames.group = "/transient/frames";
   for (const transient::Frame& frame : result.frames) content.frames.times.push_back(frame.T);
   const auto series = [&](const char* name, const char* unit, const char* meaning,
@@ -168,12 +168,11 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   // Up to here the summary is that of the steady start; "converged" in a file means the whole run in time.
   if (const std::string why = why_incomplete(result); !why.empty())
     for (results::Quantity& one : content.summary) {
-      if (one.name == "converged") one.value = false;
-      if (one.name == "failed_check") one.value = why;
+      if (one.name == id::converged) one.value = false;
+      if (one.name == id::failed_check) one.value = why;
     }
-  content.summary.push_back(
-      {"transient_completed", completed(result), "-", "1: the run in time is complete, 0: it is not"});
-  content.summary.push_back({"transient_ended", how_it_ended(result.report), "", "how the run in time ended"});
+  content.summary.push_back(numbers::given(id::transient_completed, completed(result)));
+  content.summary.push_back(numbers::given(id::transient_ended, how_it_ended(result.report)));
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 

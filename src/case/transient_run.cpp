@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "base/json.hpp"
 #include "base/signals.hpp"
+#include "case/numbers/names.hpp"
 #include "case/transient_input.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -76,8 +76,8 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
   const SiScales scales = si_scales(input.physics).value_or(SiScales{});
   const SiUnit nm = si_unit("a^2/R", scales), GPa = si_unit("p_h", scales);
   const auto line = [&](const Told& told, auto value) { return range_line(input, told, rows, value); };
-  std::string text = line({"Hc", "h_c", nm}, &StepRow::Hc) + line({"Hm", "h_m", nm}, &StepRow::Hm) +
-                     line({"P_max", "p_max", GPa}, &StepRow::P_max);
+  std::string text = line({id::Hc, "h_c", nm}, &StepRow::Hc) + line({id::Hm, "h_m", nm}, &StepRow::Hm) +
+                     line({id::P_max, id::p_max, GPa}, &StepRow::P_max);
   if (input.transient->conditions.body) {
     const double load = input.physics.si ? input.physics.si->contact.load : 1.0;
     text += line({"velocity", "velocity", si_unit("a u_m/R", scales)}, &StepRow::velocity) +
@@ -185,35 +185,6 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
       "  load       largest error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields stored\n",
       report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps), result.frames.size());
   return text;
-}
-
-Json transient_json(const Case& input, const TransientResult& result) {
-  const transient::MarchReport& report = result.report;
-  std::vector<results::Quantity> list{
-      {"completed", completed(result), "-"},
-      {"ended", how_it_ended(report), ""},
-      {"start_converged", true, "-"},  // nothing else is followed in time
-      {"end_time", report.T, "a/u_m"},
-      {"Hc", result.rows.back().Hc, "a^2/R"},
-      {"Hm", result.rows.back().Hm, "a^2/R"},
-      {"least_Hm", std::ranges::min(result.rows, {}, &StepRow::Hm).Hm, "a^2/R"},
-      {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max, "p_h"},
-      {"steps", report.steps, "-"},
-      {"cycles", report.cycles, "-"},
-      {"newton_steps", report.newton_steps, "-"},
-      {"rejected", report.rejected, "-"},
-      {"not_solved", report.not_solved, "-"},
-      {"jumps", report.restarts, "-"},
-      {"worst_load_error", report.worst_load_error, "-"},
-      {"seconds", report.seconds, "s"}};
-  if (input.transient->conditions.conserves_mass) {
-    list.push_back({"worst_oil_error", report.worst_oil_error, "-"});
-    list.push_back({"oil_lost", result.rows.back().oil.lost, "-"});
-  }
-  Json made;
-  add(list, made);
-  add_in_SI(list, si_scales(input.physics), made);
-  return made;
 }
 
 }  // namespace ehl::program

@@ -1,7 +1,6 @@
 #pragma once
 // Computes a run in time and collects its results: numbers at every step, and fields at the times asked for.
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +40,6 @@ std::string why_incomplete(const std::optional<TransientResult>& result);
 std::string transient_summary(const Case& input, const TransientResult& result);
 
 /// The summary as a JSON object.
-nlohmann::ordered_json transient_json(const Case& input, const TransientResult& result);
 
 /// Adds /transient, and /checkpoint if there is one, to the content of a result file. The content points into `result`.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);

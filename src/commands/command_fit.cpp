@@ -50,8 +50,8 @@ std::vector<std::string> overrides_of(const Task& task, const std::vector<double
 // The friction coefficient mu as text; if there is none, the reason.
 std::string solved_mu(const Task& task, const std::vector<double>& parameters, double srr, const Say& say) {
   SweepRow row = sweep_case(task.header, overrides_of(task, parameters, srr), say);
-  if (csv_cell(in_row(row, "status")) != "converged") return csv_cell(in_row(row, "reason"));
-  return csv_cell(in_row(row, "mu"));
+  if (csv_cell(in_row(row, id::status)) != "converged") return csv_cell(in_row(row, id::reason));
+  return csv_cell(in_row(row, id::mu));
 }
 
 // The friction of all points for all sets of parameters, computed in child processes.
@@ -121,8 +121,8 @@ Task task_of(const Arguments& arguments) {
     refuse(fmt::format("--measured: {} points are too few for {} constants and their standard errors",
                        task.points.size(), task.free.size()));
   task.header.files = files_of_cases(deck, task.header.set, {});
-  task.header.kind = kind_of_sweep(deck, overrides_of(task, {}, task.points.back().srr));
-  if (!task.header.kind.friction && !task.header.kind.thermal)
+  task.header.columns = columns_of_sweep(deck, overrides_of(task, {}, task.points.back().srr), false);
+  if (std::ranges::find(task.header.columns, id::mu, &numbers::SweepColumn::name) == task.header.columns.end())
     refuse(deck + ": the deck computes no friction to fit: add [friction] or [thermal]");
   return task;
 }

@@ -13,6 +13,7 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
+#include "case/numbers/number.hpp"
 #include "commands/commands.hpp"
 #include "commands/curves.hpp"
 #include "commands/gnuplot.hpp"
@@ -23,6 +24,7 @@
 #include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "tables/measured.hpp"
+#include "tables/series.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
 #include "tables/time_study_report.hpp"
@@ -43,7 +45,7 @@ std::vector<Setting> chosen_frame(const results::ResultFile& result, const Argum
   const std::vector<double> times = result.numbers("/transient/frames/time").values;
   if (times.empty()) throw core::FileError(result.path() + ": the file is damaged: no field in time");
   const bool seconds = counts_in_seconds(result.text("/deck"));
-  const double unit = seconds ? result.numbers("/scales/time").values.at(0) : 1.0;
+  const double unit = seconds ? result.numbers(numbers::path_of(id::time)).values.at(0) : 1.0;
   std::size_t frame = times.size() - 1;
   if (arguments.has("time")) {
     const std::string given = arguments.value("time", "");
@@ -83,7 +85,7 @@ FigureSource result_source(const std::string& path, const Arguments& arguments) 
   };
   const std::string own = result->attribute("/", "title");
   settings.push_back({"title", own == "untitled" ? "" : own});
-  if (has("/scales/a")) settings.push_back({"si", "1", false});
+  if (has(numbers::path_of(id::a))) settings.push_back({"si", "1", false});
   return {settings, "result", has};
 }
 
@@ -128,8 +130,9 @@ class ArrangedRows {
 // against the slide-roll ratio.
 CurvesWanted curves_for(const Figure& figure, const SweepData& table, const Arguments& arguments) {
   if (figure.name == "curves") return chosen_curves(table, arguments);
-  CurvesWanted wanted{
-      "motion.srr", {"mu", table.has("h_c_nm") ? "h_c_nm" : "Hc"}, {}, arguments.value("axes", "linear")};
+  const std::vector<std::string> film = films(table);
+  if (film.empty()) refuse(table.path + ": the table has no film");
+  CurvesWanted wanted{"motion.srr", {id::mu, film[0]}, {}, arguments.value("axes", "linear")};
   for (const std::string& key : table.varied)
     if (key != wanted.x) wanted.by.push_back(key);
   return wanted;

@@ -49,8 +49,8 @@ std::string summary_of_bars(const SweepTable& table, const std::vector<std::size
   for (const std::size_t index : own) {
     if (!table.has_status(index, "converged")) continue;
     ++converged;
-    const deck::ReadNumber of_Hc = deck::read_number(table.cell(index, "error_Hc"));
-    const deck::ReadNumber of_Hm = deck::read_number(table.cell(index, "error_Hm"));
+    const deck::ReadNumber of_Hc = deck::read_number(table.cell(index, id::error_Hc));
+    const deck::ReadNumber of_Hm = deck::read_number(table.cell(index, id::error_Hm));
     const auto known = deck::ReadNumber::Status::number;
     if (of_Hc.status != known || of_Hm.status != known) {
       ++none;
@@ -153,8 +153,9 @@ int sweep(const Arguments& arguments) {
     return overrides;
   };
   header.files = files_of_cases(deck, header.set, header.variations);
-  header.kind = kind_of_sweep(deck, overrides_of(0));
-  header.kind.timing = arguments.has("timing");
+  header.timing = arguments.has("timing");
+  header.columns = columns_of_sweep(deck, overrides_of(0), header.timing);
+  header.left_out = left_out(deck, overrides_of(0));
   header.shard = shard;
   const int at_once = header.at_once = requested_threads(arguments);
   const std::string path = name_of_shard(table_name(arguments), shard);
@@ -168,7 +169,7 @@ int sweep(const Arguments& arguments) {
   SweepTable table(path, header, own, arguments.has("overwrite"));
   std::optional<KeptResults> kept;
   if (arguments.has("keep")) kept.emplace(path, arguments.has("overwrite"));
-  for (const std::string& line : left_out(header.kind)) std::fprintf(stderr, "ehl: warning: %s\n", line.c_str());
+  for (const std::string& line : header.left_out) std::fprintf(stderr, "ehl: warning: %s\n", line.c_str());
   const auto name_of = [&](std::size_t index) {
     return deck::joined(overrides_of_case(header.variations, index), " ");
   };
@@ -183,7 +184,7 @@ int sweep(const Arguments& arguments) {
   const std::size_t cases = own.size();
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
-  const SweepRow nothing_known = sweep_row(header.kind);
+  const SweepRow nothing_known = sweep_row(header.columns);
   ChildrenCalls calls;
   calls.stop = stop_requested;
   // The text is the row, which is one line, followed by the result to keep.
@@ -224,7 +225,7 @@ int sweep(const Arguments& arguments) {
   const auto refused = std::ranges::find_if(own, [&](std::size_t index) { return table.has_status(index, "refused"); });
   if (refused != own.end())
     std::fprintf(stderr, "ehl: first refused case: %s: %s\n", name_of(*refused).c_str(),
-                 table.cell(*refused, "reason").c_str());
+                 table.cell(*refused, id::reason).c_str());
   if (table.count("refused") == cases) return wrong_input;
   return table.count("converged") == cases ? solved : not_converged;
 }

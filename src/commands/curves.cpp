@@ -6,9 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
+#include "tables/labels.hpp"
 #include "tables/series.hpp"
-#include "tables/words_of_columns.hpp"
 
 namespace ehl::program {
 namespace {
@@ -36,9 +37,9 @@ std::string block(const SweepData& table, std::vector<std::size_t> rows, const s
   std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.number(row, x); });
   std::string text;
   for (const std::size_t row : rows) {
-    if (table.cell(row, "status") != "converged") continue;
+    if (table.cell(row, id::status) != "converged") continue;
     text += fmt::format("{:.9g} {:.9g} {:.9g}", table.number(row, x), table.number(row, y), error_bar(table, row, y));
-    for (const PublishedFormula& formula : published_for(table)) {
+    for (const Publication& formula : published_for(table)) {
       const std::string column = column_of(formula, y);
       text += " " + (table.has(column) ? fmt::format("{:.9g}", table.number(row, column)) : std::string("nan"));
     }
@@ -47,16 +48,17 @@ std::string block(const SweepData& table, std::vector<std::size_t> rows, const s
   return text.empty() ? "nan nan nan nan nan nan\n" : text;
 }
 
-bool any(const SweepData& table, const std::vector<std::string>& y, const PublishedFormula& formula) {
+bool any(const SweepData& table, const std::vector<std::string>& y, const Publication& formula) {
   return std::ranges::any_of(y, [&](const std::string& name) { return table.has(column_of(formula, name)); });
 }
 
 // The roughness if it is the same in all rows, apart from rounding; else 0.
 double one_roughness(const SweepData& table) {
-  if (!table.has("Sq_nm")) return 0.0;
+  const std::string column = numbers::column_in_si(id::Sq_si);
+  if (!table.has(column)) return 0.0;
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
-    if (const double Sq = table.number(row, "Sq_nm"); std::isfinite(Sq)) {
+    if (const double Sq = table.number(row, column); std::isfinite(Sq)) {
       least = std::min(least, Sq);
       most = std::max(most, Sq);
     }
@@ -68,7 +70,7 @@ double one_roughness(const SweepData& table) {
 bool makes_curves(const SweepData& table) {
   const std::string x = longest_key(table);
   // The film hardly depends on sliding and is shown below the friction instead.
-  const bool traction = x == "motion.srr" && table.has("mu");
+  const bool traction = x == "motion.srr" && table.has(id::mu);
   return !x.empty() && !traction && !films(table).empty() &&
          curves_by(table, defaults(table, x).by).size() <= most_curves;
 }
@@ -115,14 +117,16 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
   text("x_words", with_unit(table, wanted.x));
   text("y_words", words_of_all(table, wanted.y));
   const bool both = wanted.y.size() > 1;
-  text("lambda_words", both ? "λ = h/S_q" : wanted.y[0] == "h_m_nm" ? "λ = h_m/S_q" : "λ_c = h_c/S_q");
-  number("roughness", std::ranges::all_of(wanted.y, [](const auto& y) { return y == "h_c_nm" || y == "h_m_nm"; })
-                          ? one_roughness(table)
-                          : 0.0);
+  text("lambda_words", both ? "λ = h/S_q" : wanted.y[0] == films_in_si()[1] ? "λ = h_m/S_q" : "λ_c = h_c/S_q");
+  const std::vector<std::string> in_si = films_in_si();
+  number("roughness",
+         std::ranges::all_of(wanted.y, [&](const auto& y) { return std::ranges::find(in_si, y) != in_si.end(); })
+             ? one_roughness(table)
+             : 0.0);
   if (made.data.find_first_of("0123456789") == std::string::npos)
     refuse(table.path + ": no case has a converged solution: there is nothing to draw");
   const auto lost = std::ranges::count_if(table.rows, [&](const auto& row) {
-    return row[static_cast<std::size_t>(std::ranges::find(table.columns, "status") - table.columns.begin())] !=
+    return row[static_cast<std::size_t>(std::ranges::find(table.columns, id::status) - table.columns.begin())] !=
            "converged";
   });
   text("axes", wanted.axes);

@@ -7,6 +7,7 @@
 #include "base/json.hpp"
 #include "base/machine.hpp"
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 #include "commands/solver.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
@@ -107,46 +108,31 @@ std::string summary(const Case& input, const Computed& computed) {
   return text + warning_lines(computed.outcome.warnings);
 }
 
-std::vector<results::Quantity> quantities(const Computed& computed) {
-  const dry::Solution& solution = *computed.dry;
-  const Place& P_max = computed.outcome.P_max;
-  return {{"converged", solution.converged, "-", "1: all checks passed, 0: not"},
-          {"failed_check", solution.failed_check, "", "empty when converged"},
-          {"P_max", P_max.value, "p_h", "highest pressure of all nodes"},
-          {"P_max_x", P_max.X, "a", "its position", "P_max_X"},
-          {"P_max_y", P_max.Y, "a", "its position", "P_max_Y"},
-          {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
-          {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
-          {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact or overlap outside"},
-          {"load_error", solution.load_error, "-", "relative error of the load"},
-          {"seconds", solution.seconds, "s", "time of the solution"},
-          {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", results::not_in_json}};
+std::vector<results::Quantity> quantities(const Case& input, const Computed& computed) {
+  std::vector<results::Quantity> list;
+  for (const char* group : {"film", "course"}) numbers::append(group, {input, computed}, list);
+  return list;
 }
 
 std::vector<Column<dry::GridRow>> grid_columns() {
   using Row = dry::GridRow;
-  return {{"nx", "-", "cells along x", &Row::nx},
-          {"ny", "-", "cells along y", &Row::ny},
-          {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
-          {"H00", "a^2/R", "minus the mutual approach", &Row::H00},
-          {"area", "a^2", "area of the nodes in contact", &Row::area},
-          {"gap_error", "a^2/R", "largest gap in the contact or overlap outside", &Row::error},
+  using numbers::column;
+  return {column<Row>(id::nx, &Row::nx),
+          column<Row>(id::ny, &Row::ny),
+          column<Row>(id::P_max, &Row::P_max),
+          column<Row>(id::H00, &Row::H00),
+          column<Row>(id::area, &Row::area),
+          column<Row>(id::gap_error, &Row::error),
           {"iterations", "-", "number of conjugate gradient iterations", &Row::iterations},
-          {"seconds", "s", "time on the grid", &Row::seconds}};
+          {id::seconds, "s", "time on the grid", &Row::seconds}};
 }
 
 std::string json(const Case& input, const Computed& computed) {
   Json report;
-  add(quantities(computed), report);
-  report["title"] = input.title;
+  add(quantities(input, computed), report);
   report["kind"] = "dry";
-  report["p_h_Pa"] = input.physics.p_h;
-  if (const std::optional<ElasticContact>& contact = input.dry->contact) {
-    report["p_max_Pa"] = computed.outcome.P_max.value * input.physics.p_h;
-    report["a_m"] = contact->hertz.a;
-    report["R_m"] = contact->radius;
-  }
-  report["deformation"] = name(input.scene.deformation.method);
+  add(numbers::scale_quantities(input), report);
+  report[id::deformation] = name(input.scene.deformation.method);
   report["threads"] = input.scene.threads;
   report["cpu_level"] = core::processor_level();
   report["peak_memory_bytes"] = peak_memory();
@@ -158,14 +144,8 @@ std::string json(const Case& input, const Computed& computed) {
 
 results::Content content(const Case& input, const Computed& computed) {
   const dry::Solution& solution = *computed.dry;
-  results::Content content = content_of(input, computed, quantities(computed));
-  if (const std::optional<ElasticContact>& contact = input.dry->contact)
-    content.scales = {{"p_h", contact->hertz.p_h, "Pa", "Hertz pressure, the scale of P"},
-                      {"a", contact->hertz.a, "m", "Hertz radius, the scale of X and Y"},
-                      {"h", contact->hertz.h_scale, "m", "a^2/R, the scale of the gap"},
-                      {"load", contact->load, "N", "normal load"},
-                      {"R", contact->radius, "m", "reduced radius"},
-                      {"E_prime", contact->E_prime, "Pa", "reduced modulus"}};
+  results::Content content = content_of(input, computed, quantities(input, computed));
+  content.scales = numbers::scale_quantities(input);
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
   if (input.scene.surface)
     content.fields.push_back(

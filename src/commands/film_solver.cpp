@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/film_solution.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
+#include "report/outcome.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
 
@@ -21,21 +21,15 @@ std::string text_of(const steady::Progress& now) {
 }
 
 void solve(const Case& input, Progress& progress, Computed& computed) {
-  steady::Solution& solution = computed.solution;
   int level = -1;
-  FilmSolution found = solve_film(input, [&](const steady::Progress& now) {
-    const bool new_level = now.level != level;
-    level = now.level;
-    return progress.show(now.fraction, text_of(now), new_level);
-  });
-  solution = std::move(found.film);
-  computed.heat = std::move(found.heat);
-  computed.flow = std::move(found.flow);
-  if (solution.levels.empty() || solution.H.nodes_x() == 0) throw core::SolverError(solution.failed_check);
-  computed.outcome = outcome_of(input, solution);
-  if (!std::isfinite(computed.outcome.Hc + computed.outcome.Hm.value + computed.outcome.P_max.value))
-    throw core::SolverError("the film or the pressure is not finite");
-  computed.derived = derived_fields(input, solution);
+  computed = computed_of(input, solve_film(input, [&](const steady::Progress& now) {
+                           const bool new_level = now.level != level;
+                           level = now.level;
+                           return progress.show(now.fraction, text_of(now), new_level);
+                         }));
+  if (!has_film(computed.solution)) throw core::SolverError(computed.solution.failed_check);
+  if (!is_finite(computed.outcome)) throw core::SolverError("the film or the pressure is not finite");
+  computed.derived = derived_fields(input, computed.solution);
 }
 
 }  // namespace

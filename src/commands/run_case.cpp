@@ -6,9 +6,10 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
+#include "case/numbers/number.hpp"
 #include "core/timer.hpp"
 #include "deck/text.hpp"
-#include "report/quantities.hpp"
+#include "report/outcome.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
 #include "results/write.hpp"
@@ -33,17 +34,13 @@ results::Content whole_content(const Case& input, const Computed& computed) {
 
 results::Content content_without_solution(const Case& input, Computed& computed, const std::string& reason) {
   steady::Solution& solution = computed.solution;
-  const Outcome& outcome = computed.outcome;
   solution.converged = false;
   solution.failed_check = reason;
-  const bool film = !input.dry && !solution.levels.empty() && solution.H.nodes_x() > 0 &&
-                    std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value);
-  if (film) return solver_of(input).content(input, computed);
+  if (!input.dry && has_film(solution) && is_finite(computed.outcome)) return solver_of(input).content(input, computed);
   solution.grid = input.scene.grid;
-  results::Content content = content_of(input, computed,
-                                        {{"converged", false, "-", "1: all checks passed, 0: not"},
-                                         {"failed_check", reason, "", "empty when converged"}});
-  if (!input.dry) content.scales = scale_quantities(input);
+  results::Content content =
+      content_of(input, computed, {numbers::given(id::converged, false), numbers::given(id::failed_check, reason)});
+  content.scales = numbers::scale_quantities(input);
   return content;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/numbers/number.hpp"
 #include "page/result_view.hpp"
 
 namespace ehl::program {
@@ -73,7 +74,7 @@ std::string pressure_line(const ResultView& view) {
   const double p_h = view.source.si ? 1e-9 * view.source.si->p_h : 1.0;
   std::vector<double> hertz;
   for (const double x : line.x) hertz.push_back(p_h * std::sqrt(std::max(0.0, 1.0 - std::pow(x / view.radius(), 2))));
-  const bool known = !view.has("/roller") && !(std::abs(view.value("/scales/angle")) > 0.0);
+  const bool known = !view.has("/roller") && !(std::abs(view.value(numbers::path_of(id::angle))) > 0.0);
   Drawing drawing(line.axis, axis_from_zero(std::max(highest(P), known ? p_h : 0.0), view.pressure_words()));
   std::vector<LegendEntry> legend{{view.dry ? "dry contact" : "with oil", {}}};
   if (known) {
@@ -98,10 +99,11 @@ std::string film_line(const ResultView& view) {
 }
 
 std::string cycles_figure(const ResultView& view) {
-  if (!view.has("/history/residual")) return "";
-  const std::vector<double> residual = view.source.numbers("/history/residual").values;
-  const std::vector<double> load = view.source.numbers("/history/load_error").values;
-  const std::vector<double> level = view.source.numbers("/history/level").values;
+  const auto column = [&](const std::string& name) { return view.source.numbers("/history/" + name).values; };
+  if (!view.has(std::string("/history/") + id::residual)) return "";
+  const std::vector<double> residual = column(id::residual);
+  const std::vector<double> load = column(id::load_error);
+  const std::vector<double> level = column("level");
   if (residual.size() < 2 || load.size() != residual.size() || level.size() != residual.size()) return "";
   std::vector<double> cycle, both = residual;
   for (std::size_t k = 0; k < residual.size(); ++k) cycle.push_back(static_cast<double>(k + 1));
@@ -184,12 +186,12 @@ std::string roller_figures(const ResultView& view) {
   if (!view.has("/roller/y")) return "";
   const results::Array y = view.source.numbers("/roller/y");
   std::string text;
-  for (const auto& [name, words] :
-       {std::pair("P_max", view.pressure_words() + ", maximum"), std::pair("H_min", view.film_words() + ", minimum")}) {
+  for (const auto& [name, words] : {std::pair(id::P_max, view.pressure_words() + ", maximum"),
+                                    std::pair("H_min", view.film_words() + ", minimum")}) {
     const std::vector<double> values = view.source.numbers(std::string("/roller/") + name).values;
     // Where the pressure is zero, next to the ends, no film is drawn.
     std::vector<double> loaded;
-    const std::vector<double> pressure = view.source.numbers("/roller/P_max").values;
+    const std::vector<double> pressure = view.source.numbers(std::string("/roller/") + id::P_max).values;
     for (std::size_t k = 0; k < values.size() && k < pressure.size(); ++k)
       loaded.push_back(pressure[k] > 0.0 ? values[k] : std::nan(""));
     Drawing drawing(axis_of(y.values, view.places("y")), axis_from_zero(highest(loaded), words));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/json.hpp"
+#include "case/numbers/number.hpp"
 #include "page/result_view.hpp"
 
 namespace ehl::program {
@@ -90,17 +91,17 @@ void add_quantity(const ResultView& view, const Frames& frames, const std::vecto
 
 // The quantities against time, with a vertical line that follows the slider.
 void add_history(const ResultView& view, const Frames& frames, Strip& strip) {
-  const std::vector<double> times = view.source.numbers("/transient/time").values;
-  const auto add = [&](const std::vector<std::pair<const char*, const char*>>& names, const std::string& words,
-                       const std::string& caption) {
+  const auto column = [&](const std::string& name) { return view.source.numbers("/transient/" + name).values; };
+  const std::vector<double> times = column(id::time);
+  const auto add = [&](const std::vector<const char*>& list, const std::string& words, const std::string& caption) {
     std::vector<std::vector<double>> curves;
     std::vector<double> all;
     std::vector<LegendEntry> legend;
-    for (const auto& [name, said] : names) {
-      if (!view.has(std::string("/transient/") + name)) continue;
-      curves.push_back(view.source.numbers(std::string("/transient/") + name).values);
+    for (const std::string name : list) {
+      if (!view.has("/transient/" + name)) continue;
+      curves.push_back(view.source.numbers("/transient/" + name).values);
       all.insert(all.end(), curves.back().begin(), curves.back().end());
-      legend.push_back({said, {curve_colour(curves.size() - 1), 1.6, ""}});
+      legend.push_back({numbers::label_in_time(name), {curve_colour(curves.size() - 1), 1.6, ""}});
     }
     if (curves.empty()) return;
     Drawing drawing(axis_of(times, view.time_words()), axis_of(all, words));
@@ -110,16 +111,14 @@ void add_history(const ResultView& view, const Frames& frames, Strip& strip) {
     if (strip.data["now"].empty())
       for (const double time : frames.times) strip.data["now"].push_back(std::round(10.0 * drawing.at_x(time)) / 10.0);
   };
-  add({{"Hc", "central film h_c"}, {"Hm", "smallest film h_m"}}, view.film_words(), "Films, step by step.");
-  add({{"P_max", "largest pressure"}}, view.pressure_words(), "Largest pressure, step by step.");
-  const std::vector<double> load = view.source.numbers("/transient/load").values;
-  const std::vector<double> speed = view.source.numbers("/transient/speed").values;
+  add({id::Hc, id::Hm}, view.film_words(), "Films, step by step.");
+  add({id::P_max}, view.pressure_words(), "Largest pressure, step by step.");
+  const std::vector<double> load = column(id::load);
+  const std::vector<double> speed = column(id::speed);
   const auto changes = [](const std::vector<double>& v) {
     return std::ranges::any_of(v, [&](double value) { return value != v.front(); });
   };
-  if (changes(load) || changes(speed))
-    add({{"load", "load over that of the contact"}, {"speed", "entrainment speed over u_m"}}, "ratio",
-        "Load and speed against time.");
+  if (changes(load) || changes(speed)) add({id::load, id::speed}, "ratio", "Load and speed against time.");
 }
 
 }  // namespace

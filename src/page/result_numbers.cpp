@@ -5,47 +5,18 @@
 #include <cmath>
 #include <sstream>
 
+#include "case/numbers/number.hpp"
 #include "page/result_view.hpp"
 
 namespace ehl::program {
 namespace {
 
-struct Shown {
-  const char* name;   // path in the file
-  const char* error;  // path of its relative error in the file; empty: none is estimated
-  const char* words;  // label, with indices
-  const char* note = "";
-};
-
-const std::vector<Shown>& shown_numbers() {
-  static const std::vector<Shown> all{
-      {"/summary/Hc_best", "/summary/error_Hc_best", "central film h_c"},
-      {"/summary/Hc", "/summary/error_Hc", "central film, on this mesh"},
-      {"/summary/Hm_best", "/summary/error_Hm_best", "smallest film h_m"},
-      {"/summary/Hm", "/summary/error_Hm", "smallest film, of the nodes"},
-      {"/summary/P_max", "/summary/error_P_max", "highest pressure p_{max}"},
-      {"/summary/Hc_moes", "/summary/error_Hc", "central film in Moes units", "h/R (2U)^{-1/2}"},
-      {"/summary/Hm_moes", "/summary/error_Hm", "smallest film in Moes units"},
-      {"/summary/lambda_ratio", "", "lambda ratio h_m/S_q"},
-      {"/summary/mu", "/summary/error_mu", "friction coefficient μ"},
-      {"/summary/mu_isothermal", "", "the same, isothermal"},
-      {"/summary/mu_rolling", "/summary/error_mu_rolling", "rolling friction"},
-      {"/summary/T_film_max", "/summary/error_T_film_max", "hottest film above T_{oil}"},
-      {"/summary/T1_max", "/summary/error_T1_max", "hottest place of surface 1 above T_{oil}"},
-      {"/summary/T2_max", "/summary/error_T2_max", "hottest place of surface 2 above T_{oil}"},
-      {"/summary/film_reduction", "", "film over the isothermal one"},
-      {"/summary/starvation_factor", "", "starvation factor", "film over the flooded one"},
-      {"/summary/mass_imbalance", "", "imbalance of oil"},
-      {"/subsurface/largest_sigma_mises", "", "largest von Mises stress below the surface"},
-      {"/subsurface/largest_tau_max", "", "largest shear stress below the surface"},
-      {"/summary/area", "", "area of contact"},
-      {"/summary/gap_error", "", "largest gap in the contact"}};
-  return all;
-}
+using numbers::path_of;
+using numbers::Shown;
 
 // The place of a number: "at (42.0, −112.1) µm".
 std::string place_of(const ResultView& view, const std::string& name) {
-  if (name.starts_with("/summary/Hc")) return name.ends_with("_moes") ? "" : "(0, 0)";
+  if (name.starts_with(path_of(id::Hc))) return name.ends_with("_moes") ? "" : "(0, 0)";
   std::string base = name.ends_with("_best") ? name.substr(0, name.size() - 5) + "_fitted" : name;
   if (!view.has(base + "_x")) base = name.ends_with("_best") ? name.substr(0, name.size() - 5) : name;
   if (!view.has(base + "_x")) return "";
@@ -59,12 +30,12 @@ std::string place_of(const ResultView& view, const std::string& name) {
 }
 
 bool grows_with_mesh(const ResultView& view, const Shown& one) {
-  return std::string(one.name) == "/summary/P_max" && view.value("/summary/P_max_converging") == 0.0;
+  return one.number->name == id::P_max && view.value(path_of(id::P_max_converging)) == 0.0;
 }
 
 std::string cell_of(const ResultView& view, const Shown& one) {
-  const results::Array found = view.number(one.name);
-  const double error = one.error[0] == '\0' ? std::nan("") : view.value(one.error);
+  const results::Array found = view.number(one.path);
+  const double error = one.error.empty() ? std::nan("") : view.value(one.error);
   if (!view.converged) {
     const std::string unit = with_indices(unit_words(found.unit));
     return not_converged_cell(digits(found.values[0], std::nan("")) + (unit.empty() ? "" : " " + unit));
@@ -72,8 +43,10 @@ std::string cell_of(const ResultView& view, const Shown& one) {
   return with_bar(found.values[0], error, found.unit);
 }
 
+std::string in_steps(const std::string& name) { return "/transient/" + name; }
+
 std::vector<double> column_in_time(const ResultView& view, const std::string& name) {
-  return view.has("/transient/" + name) ? view.source.numbers("/transient/" + name).values : std::vector<double>{};
+  return view.has(in_steps(name)) ? view.source.numbers(in_steps(name)).values : std::vector<double>{};
 }
 
 // The program that computed a result: "version 0.1.0, commit 732df358, g++ 12.2.0".
@@ -86,7 +59,7 @@ std::string program_words(const ResultView& view) {
 
 // Why a run in time ended early: "failed: the cycles did not converge."
 std::string ended_words(const ResultView& view) {
-  const std::string ended = view.text("/summary/transient_ended");  // files of earlier versions lack it
+  const std::string ended = view.text(path_of(id::transient_ended));  // files of earlier versions lack it
   const std::string failed = "FAILED: ";
   return ended.starts_with(failed) ? "failed: " + ended.substr(failed.size()) + "."
          : view.has("/checkpoint") ? "was stopped before its end; `ehl resume` goes on with it."
@@ -108,14 +81,16 @@ std::string numbers_of_run(const ResultView& view) {
                   {"", "value ± error bar", "at", ""},
                   {},
                   "main"};
-  for (const Shown& one : shown_numbers()) {
-    if (!std::isfinite(view.value(one.name))) continue;
+  for (const Shown& one : numbers::shown_on_page()) {
+    if (!std::isfinite(view.value(one.path))) continue;
+    const numbers::OnPage& page = one.number->page;
     const std::string note =
-        grows_with_mesh(view, one) ? "grows with the mesh, as at a spike: belongs to this mesh" : one.note;
-    table.rows.push_back({with_indices(one.words), cell_of(view, one), place_of(view, one.name), with_indices(note)});
+        grows_with_mesh(view, one) ? "grows with the mesh, as at a spike: belongs to this mesh" : page.note;
+    table.rows.push_back({with_indices(page.words.empty() ? one.number->label : page.words), cell_of(view, one),
+                          place_of(view, one.path), with_indices(note)});
   }
   std::string text = table.text();
-  const double domain = view.value("/summary/domain_error");
+  const double domain = view.value(path_of(id::domain_error));
   if (domain > 0.0 && std::isfinite(domain) && view.converged)
     text += fmt::format(
         "<p class=\"small\">Error bars cover mesh and cycles. Beside them the films change by about "
@@ -125,24 +100,22 @@ std::string numbers_of_run(const ResultView& view) {
 }
 
 std::string numbers_in_time(const ResultView& view) {
-  const std::vector<double> times = column_in_time(view, "time");
+  const std::vector<double> times = column_in_time(view, id::time);
   if (times.empty()) return "";
   HtmlTable table{"In time", {"", "least", "at time", "highest", "at time", "at the end"}, {}, "numbers"};
-  const std::string in_time = with_indices(unit_words(view.source.described("/transient/time").unit));
-  for (const auto& [name, words] : {std::pair("Hc", "central film h_c"), std::pair("Hm", "smallest film h_m"),
-                                    std::pair("P_max", "highest pressure p_{max}"), std::pair("load", "load F/F_0")}) {
+  const std::string in_time = with_indices(unit_words(view.source.described(in_steps(id::time)).unit));
+  for (const std::string name : {id::Hc, id::Hm, id::P_max, id::load}) {
     const std::vector<double> values = column_in_time(view, name);
     if (values.size() != times.size()) continue;
-    if (std::string(name) == "load" && std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end())
-      continue;
+    if (name == id::load && std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end()) continue;
     const auto low = std::ranges::min_element(values), high = std::ranges::max_element(values);
-    const std::string unit = with_indices(unit_words(view.source.described(std::string("/transient/") + name).unit));
+    const std::string unit = with_indices(unit_words(view.source.described(in_steps(name)).unit));
     const auto number = [&](double value) { return fmt::format("{:.5g} ", value) + unit; };
     const auto time = [&](auto place) {
       return fmt::format("{:.4g} ", times[static_cast<std::size_t>(place - values.begin())]) + in_time;
     };
-    table.rows.push_back(
-        {with_indices(words), number(*low), time(low), number(*high), time(high), number(values.back())});
+    table.rows.push_back({with_indices(numbers::label_in_time(name)), number(*low), time(low), number(*high),
+                          time(high), number(values.back())});
   }
   return table.text() + fmt::format(
                             "<p class=\"small\">{} steps to {:.4g} {}. These numbers carry the error of the mesh, "
@@ -153,17 +126,17 @@ std::string numbers_in_time(const ResultView& view) {
 std::string warnings_of(const ResultView& view) {
   std::string text;
   if (!view.converged) {
-    const std::string check = view.text("/summary/failed_check");
+    const std::string check = view.text(path_of(id::failed_check));
     text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + " No number of this run is a result.</p>\n";
   }
-  if (view.value("/summary/transient_completed") == 0.0)
+  if (view.value(path_of(id::transient_completed)) == 0.0)
     text += "<p class=\"alarm\"><b>Not complete.</b> The run in time " + escaped(ended_words(view)) + "</p>\n";
   for (const std::string& name : view.source.file.names("/summary"))
     if (name.ends_with("warnings")) text += paragraphs(view.text("/summary/" + name), "warning", "<b>Warning:</b> ");
   if (view.has("/subsurface"))
     text += paragraphs(view.source.file.attribute("/subsurface", "warnings"), "warning", "<b>Warning:</b> ");
   return text.empty() ? "<p class=\"fine\">Converged: all checks passed. No warnings.</p>\n"
-         : view.converged && view.value("/summary/transient_completed") != 0.0
+         : view.converged && view.value(path_of(id::transient_completed)) != 0.0
              ? "<p class=\"fine\">Converged: all checks passed.</p>\n" + text
              : text;
 }
@@ -226,7 +199,7 @@ std::string details_of(const ResultView& view) {
   text += folded("Provenance", all_numbers(view, "/provenance"));
   const auto word = [&](const char* name) { return escaped(view.text(std::string("/provenance/") + name)); };
   return text + "<p class=\"small\">" + escaped(program_words(view)) + "; " + word("host_cpu") + ", threads " +
-         word("threads") + "; " + fmt::format("{:.3g} s", view.value("/summary/seconds")) + " for the solution; " +
+         word("threads") + "; " + fmt::format("{:.3g} s", view.value(path_of(id::seconds))) + " for the solution; " +
          word("date") + ".</p>\n";
 }
 

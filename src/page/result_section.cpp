@@ -3,16 +3,21 @@
 
 #include <cmath>
 
+#include "case/numbers/number.hpp"
 #include "page/result_view.hpp"
 #include "page/section.hpp"
 
 namespace ehl::program {
 namespace {
 
-std::string compared_film(const ResultView& view, const std::string& best, const std::string& error) {
-  const results::Array film = view.number(best);
-  if (!std::isfinite(film.values[0])) return "–";
-  return view.converged ? with_bar(film.values[0], view.value(error), film.unit) : not_converged_cell("");
+using numbers::path_of;
+
+// A number with its error bar.
+std::string compared(const ResultView& view, const char* name) {
+  const results::Array found = view.number(path_of(name));
+  if (!std::isfinite(found.values[0])) return "–";
+  return view.converged ? with_bar(found.values[0], view.value(numbers::error_path_of(name)), found.unit)
+                        : not_converged_cell("");
 }
 
 std::string plain(double value, const std::string& unit) {
@@ -20,37 +25,33 @@ std::string plain(double value, const std::string& unit) {
 }
 
 std::vector<std::string> compared_cells(const ResultView& view) {
-  const bool grows = view.value("/summary/P_max_converging") == 0.0;
-  const results::Array mu = view.number("/summary/mu");
-  const bool best = view.has("/summary/Hc_best");
-  return {plain(view.value("/scales/M"), ""),
-          plain(view.value("/scales/L"), ""),
-          plain(view.value("/scales/load"), view.number("/scales/load").unit),
-          plain(0.5 * view.value("/scales/u_s"), "m/s"),
-          best ? compared_film(view, "/summary/Hc_best", "/summary/error_Hc_best")
-               : compared_film(view, "/summary/Hc", "/summary/error_Hc"),
-          best ? compared_film(view, "/summary/Hm_best", "/summary/error_Hm_best")
-               : compared_film(view, "/summary/Hm", "/summary/error_Hm"),
-          grows && view.converged ? digits(view.value("/summary/P_max"), std::nan("")) + " " +
-                                        with_indices(unit_words(view.number("/summary/P_max").unit)) + " on this mesh"
-                                  : compared_film(view, "/summary/P_max", "/summary/error_P_max"),
-          std::isfinite(mu.values[0])
-              ? view.converged ? with_bar(mu.values[0], view.value("/summary/error_mu"), "-") : not_converged_cell("")
-              : "–"};
+  const bool grows = view.value(path_of(id::P_max_converging)) == 0.0;
+  const bool best = view.has(path_of(id::Hc_best));
+  const results::Array load = view.number(path_of(id::load)), P_max = view.number(path_of(id::P_max));
+  return {plain(view.value(path_of(id::M)), ""),
+          plain(view.value(path_of(id::L)), ""),
+          plain(load.values[0], load.unit),
+          plain(0.5 * view.value(path_of(id::u_s)), "m/s"),
+          compared(view, best ? id::Hc_best : id::Hc),
+          compared(view, best ? id::Hm_best : id::Hm),
+          grows && view.converged
+              ? digits(P_max.values[0], std::nan("")) + " " + with_indices(unit_words(P_max.unit)) + " on this mesh"
+              : compared(view, id::P_max),
+          compared(view, id::mu)};
 }
 
 std::string contact_words(const ResultView& view) {
-  const auto number = [&](const char* name) { return view.value(std::string("/scales/") + name); };
+  const auto number = [&](const char* name) { return view.value(path_of(name)); };
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : " · ") + words; };
-  if (std::isfinite(number("load")))
-    add(fmt::format("load {:.4g} {}", number("load"), view.number("/scales/load").unit));
-  if (std::isfinite(number("R"))) add(fmt::format("R = {:.4g} mm", 1e3 * number("R")));
-  if (std::isfinite(number("u_s"))) add("u_m = " + fmt::format("{:.4g} m/s", 0.5 * number("u_s")));
-  if (view.source.si && std::isfinite(number("p_h")))
+  if (std::isfinite(number(id::load)))
+    add(fmt::format("load {:.4g} {}", number(id::load), view.number(path_of(id::load)).unit));
+  if (std::isfinite(number(id::R))) add(fmt::format("R = {:.4g} mm", 1e3 * number(id::R)));
+  if (std::isfinite(number(id::u_s))) add("u_m = " + fmt::format("{:.4g} m/s", 0.5 * number(id::u_s)));
+  if (view.source.si && std::isfinite(number(id::p_h)))
     add(fmt::format("Hertz a = {:.4g} µm, p_h = {:.4g} GPa", 1e6 * view.source.si->a, 1e-9 * view.source.si->p_h));
-  if (std::isfinite(number("M"))) add(fmt::format("Moes M = {:.4g}, L = {:.4g}", number("M"), number("L")));
-  if (std::isfinite(number("radius_ratio"))) add(fmt::format("R_x/R_y = {:.4g}", number("radius_ratio")));
+  if (std::isfinite(number(id::M))) add(fmt::format("Moes M = {:.4g}, L = {:.4g}", number(id::M), number(id::L)));
+  if (std::isfinite(number(id::radius_ratio))) add(fmt::format("R_x/R_y = {:.4g}", number(id::radius_ratio)));
   return "<p class=\"facts\">" + with_indices(text) + "</p>\n";
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 
 namespace ehl::program {
@@ -17,7 +18,7 @@ ResultView::ResultView(const std::string& path) : source(open_result(path)) {
   source.si = scales_of(source.file);
   in_time = has("/transient/frames/time") && source.file.dims("/transient/frames/time").at(0) > 0;
   dry = has("/fields/gap");
-  converged = value("/summary/converged") == 1.0;
+  converged = value(numbers::path_of(id::converged)) == 1.0;
   line = source.numbers("/grid/y").values.size() < 2;
 }
 
@@ -25,8 +26,9 @@ bool ResultView::has(const std::string& name) const { return source.file.kind(na
 
 results::Array ResultView::number(const std::string& name) const {
   // In older files error_Hc is the error of the mesh alone.
-  if (name == "/summary/error_Hc" && has("/summary/total_error_Hc")) return number("/summary/total_error_Hc");
-  if (name == "/summary/error_Hm" && has("/summary/total_error_Hm")) return number("/summary/total_error_Hm");
+  for (const char* error : {id::error_Hc, id::error_Hm})
+    if (const std::string older = "/summary/total_" + std::string(error); name == numbers::path_of(error) && has(older))
+      return number(older);
   if (source.file.kind(name) == Kind::numbers && source.file.dims(name).empty()) return source.numbers(name);
   return {{}, {std::nan("")}, "-", ""};
 }
@@ -41,13 +43,14 @@ std::string ResultView::places(const std::string& letter) const {
 }
 
 double ResultView::reach_y() const {
-  const double kappa = value("/scales/kappa");
+  const double kappa = value(numbers::path_of(id::kappa));
   return std::isfinite(kappa) ? kappa : 1.0;
 }
 
 Window contact_window(const ResultView& view, const FieldOnGrid& field) {
   const double a = view.radius();
-  const bool turned = std::isfinite(view.value("/scales/angle")) && view.value("/scales/angle") != 0.0;
+  const double angle = view.value(numbers::path_of(id::angle));
+  const bool turned = std::isfinite(angle) && angle != 0.0;
   const double reach_x = turned ? std::max(1.0, view.reach_y()) : 1.0;
   const double reach_y = turned ? reach_x : view.reach_y();
   const std::vector<double>&x = field.x.values, &y = field.y.values;

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/numbers/names.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "page/drawing.hpp"
 #include "page/markup.hpp"
 #include "page/section.hpp"
 #include "page/table_words.hpp"
+#include "tables/labels.hpp"
 #include "tables/series.hpp"
 #include "tables/study_report.hpp"
 #include "tables/time_study_report.hpp"
@@ -33,7 +35,7 @@ std::string name_of_rows(const SweepData& table, const std::vector<std::string>&
 }
 
 bool done(const SweepData& table, std::size_t row) {
-  return table.cell(row, "status") == "converged" || table.cell(row, "status") == "complete";
+  return table.cell(row, id::status) == "converged" || table.cell(row, id::status) == "complete";
 }
 
 double reference_error(const SweepData& table, const std::string& name) {
@@ -59,11 +61,12 @@ std::string order_words(const SweepData& table, std::size_t coarse, std::size_t 
 }
 
 std::string convergence_table(const SweepData& table, const std::vector<std::string>& by, const std::string& along) {
-  const bool si = table.has("h_c_nm");
-  const std::string c = si ? "h_c_nm" : "Hc", m = si ? "h_m_nm" : "Hm";
+  const std::vector<std::string> film_columns = films(table);
+  const bool si = film_columns == films_in_si();
+  const std::string c = film_columns.at(0), m = film_columns.at(1);
   HtmlTable made{"Errors against the reference, and the observed order from row to row",
-                 {"way", "cells", "status", si ? "h<sub>c</sub> [nm]" : "Hc", "error", "order",
-                  si ? "h<sub>m</sub> [nm]" : "Hm", "error", "order", "work units", "seconds"},
+                 {"way", "cells", id::status, si ? "h<sub>c</sub> [nm]" : id::Hc, "error", "order",
+                  si ? "h<sub>m</sub> [nm]" : id::Hm, "error", "order", "work units", id::seconds},
                  {},
                  "numbers"};
   for (const std::vector<std::size_t>& way : ways_of(table, by, along))
@@ -82,14 +85,21 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
         return found + (found == "–" || (good && done(table, way[k - 1])) ? "" : "*");
       };
       made.rows.push_back({k == 0 ? escaped(name_of_rows(table, by, row)) : "", escaped(table.cell(row, along)),
-                           good ? "converged" : not_converged_cell(escaped(table.cell(row, "status"))), film(c, "Hc"),
-                           error_words(table, row, "Hc") + mark, order("Hc"), film(m, "Hm"),
-                           error_words(table, row, "Hm") + mark, order("Hm"),
-                           digits(table.number(row, "work_units"), NAN), digits(table.number(row, "seconds"), NAN)});
+                           good ? "converged" : not_converged_cell(escaped(table.cell(row, id::status))),
+                           film(c, id::Hc), error_words(table, row, id::Hc) + mark, order(id::Hc), film(m, id::Hm),
+                           error_words(table, row, id::Hm) + mark, order(id::Hm),
+                           digits(table.number(row, id::work_units), NAN),
+                           digits(table.number(row, id::seconds), NAN)});
     }
   return made.text() +
          "<p class=\"small\">&lt;: below the error of the reference. *: not converged after these cycles. –: the order "
          "is not known.</p>\n";
+}
+
+// The last word of a label: "H_c" of "central film H_c".
+std::string symbol_of(const std::string& column) {
+  const std::string words = words_for(column);
+  return words.substr(words.rfind(' ') + 1);
 }
 
 // Errors of a film against seconds or cells, one curve per method.
@@ -102,7 +112,7 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
     ys.push_back(table.number(row, column));
   }
   if (std::ranges::none_of(ys, [](double e) { return e > 0.0; })) return "";
-  const std::string symbol = name == "Hc" ? "H_c" : name == "Hm" ? "H_m" : name == "P_max" ? "P_{max}" : name;
+  const std::string symbol = symbol_of(name);
   Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
   std::vector<LegendEntry> legend;
   const auto ways = ways_of(table, by, along);
@@ -147,7 +157,7 @@ std::string count_words(const SweepData& table) {
 
 std::string reference_words(const SweepData& table) {
   HtmlTable made{"The reference", {"", "value", "relative error"}, {}, "main"};
-  for (const char* name : {"Hc", "Hm"}) {
+  for (const char* name : {id::Hc, id::Hm}) {
     const deck::ReadNumber read = deck::read_number(comment(table, std::string("reference ") + name));
     const double error = reference_error(table, name);
     if (read.status != deck::ReadNumber::Status::number) continue;
@@ -164,12 +174,12 @@ std::string reference_words(const SweepData& table) {
 PageSection study_section(const std::string& path) {
   const SweepData table = read_table(path, study_mark);
   for (const char* column :
-       {"cells", "wedge", "evaluator", "cycles", "deviation_Hc", "deviation_Hm", "seconds", "work_units"})
+       {"cells", "wedge", "evaluator", id::cycles, "deviation_Hc", "deviation_Hm", id::seconds, id::work_units})
     if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
-  const std::vector<std::string> by{"wedge", "evaluator", "cycles"};
+  const std::vector<std::string> by{"wedge", "evaluator", id::cycles};
   std::string figures;
-  for (const char* name : {"Hc", "Hm"}) {
-    figures += errors_figure(table, by, "cells", "seconds", "seconds", name);
+  for (const char* name : {id::Hc, id::Hm}) {
+    figures += errors_figure(table, by, "cells", id::seconds, id::seconds, name);
     figures += errors_figure(table, by, "cells", "cells", "cells along x", name);
   }
   return {heading_of(table),
@@ -182,7 +192,7 @@ PageSection study_section(const std::string& path) {
 
 PageSection time_study_section(const std::string& path) {
   const SweepData table = read_table(path, time_study_mark);
-  for (const char* column : {"rtol", "seconds"})
+  for (const char* column : {"rtol", id::seconds})
     if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
   HtmlTable made{"Errors over the run against the reference", {}, {}, "numbers"};
   for (const std::string& column : table.columns) {
@@ -198,15 +208,15 @@ PageSection time_study_section(const std::string& path) {
     for (const std::string& column : table.columns) {
       const double value = table.number(row, column);
       made.rows.back().push_back(
-          column == "status" && !done(table, row) ? not_converged_cell(escaped(table.cell(row, column)))
-          : std::isfinite(value)                  ? fmt::format("{:.4g}", value)
+          column == id::status && !done(table, row) ? not_converged_cell(escaped(table.cell(row, column)))
+          : std::isfinite(value)                    ? fmt::format("{:.4g}", value)
                                  : escaped(table.cell(row, column) == "NaN" ? "–" : table.cell(row, column)));
     }
   }
   std::string figures;
   for (const std::string& name : errors)
     figures += errors_figure(table, {}, "rtol", "rtol", "tolerance rtol", name) +
-               errors_figure(table, {}, "rtol", "seconds", "seconds", name);
+               errors_figure(table, {}, "rtol", id::seconds, id::seconds, name);
   return {heading_of(table),
           path,
           "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" +

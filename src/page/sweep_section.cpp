@@ -5,12 +5,13 @@
 #include <cmath>
 #include <filesystem>
 
+#include "case/numbers/number.hpp"
 #include "page/drawing.hpp"
 #include "page/markup.hpp"
 #include "page/section.hpp"
 #include "page/table_words.hpp"
+#include "tables/labels.hpp"
 #include "tables/series.hpp"
-#include "tables/words_of_columns.hpp"
 
 namespace ehl::program {
 namespace {
@@ -18,13 +19,18 @@ namespace {
 constexpr std::size_t most_curves_of_figure = 12;
 constexpr std::size_t most_rows_of_table = 400;
 
-bool solved(const SweepData& table, std::size_t row) { return table.cell(row, "status") == "converged"; }
+numbers::OfSweep shown_as(const std::string& column) {
+  const numbers::Number* number = numbers::number_of_column(column);
+  return number == nullptr ? numbers::OfSweep::hidden : number->of_sweep;
+}
+
+bool solved(const SweepData& table, std::size_t row) { return table.cell(row, id::status) == "converged"; }
 
 std::string status_words(const SweepData& table) {
   std::string text = fmt::format("{} cases", table.rows.size());
-  for (const std::string& status : table.words("status")) {
+  for (const std::string& status : table.words(id::status)) {
     std::size_t count = 0;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) count += table.cell(row, "status") == status ? 1 : 0;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) count += table.cell(row, id::status) == status ? 1 : 0;
     text += fmt::format(", {} ", count) + status;
   }
   return text;
@@ -34,7 +40,7 @@ std::string status_words(const SweepData& table) {
 std::string curves_figure(const SweepData& table, const std::string& x, const std::vector<std::string>& by,
                           const std::string& y) {
   const std::vector<std::vector<std::size_t>> curves = curves_by(table, by);
-  const PublishedFormula formula = published_for(table)[0];
+  const Publication formula = published_for(table)[0];
   const std::string beside = table.has(column_of(formula, y)) ? column_of(formula, y) : "";
   std::vector<double> xs, ys;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
@@ -80,8 +86,8 @@ std::string all_curves(const SweepData& table) {
     return "<p class=\"small\">More curves than a figure holds: `ehl plot --x KEY --by KEY` draws a choice of "
            "them.</p>\n";
   std::vector<std::string> quantities = films(table);
-  for (const char* name : {"mu", "T_film_max", "lambda_ratio", "starvation_factor"})
-    if (table.has(name)) quantities.push_back(name);
+  for (const std::string& column : table.columns)
+    if (shown_as(column) == numbers::OfSweep::as_curve) quantities.push_back(column);
   std::string text;
   for (const std::string& y : quantities)
     if (table.is_numeric(y)) text += curves_figure(table, x, by, y);
@@ -90,9 +96,9 @@ std::string all_curves(const SweepData& table) {
 
 // The cases in the plane of M and L.
 std::string map_of_loads(const SweepData& table) {
-  const bool both = table.has("M") && table.has("L") && std::ranges::all_of(table.varied, [](const std::string& key) {
-                      return key == "contact.M" || key == "contact.L";
-                    });
+  const bool both = table.has(id::M) && table.has(id::L) &&
+                    std::ranges::all_of(
+                        table.varied, [](const std::string& key) { return key == "contact.M" || key == "contact.L"; });
   if (!both || table.varied.size() != 2) return "";
   std::vector<double> M, L;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -106,7 +112,7 @@ std::string map_of_loads(const SweepData& table) {
       continue;
     }
     drawing.points({M[row]}, {L[row]}, curve_colour(0), 2.5);
-    if (table.rows.size() <= 120) drawing.words(M[row], L[row], " " + fmt::format("{:.3g}", table.number(row, "Hc")));
+    if (table.rows.size() <= 120) drawing.words(M[row], L[row], " " + fmt::format("{:.3g}", table.number(row, id::Hc)));
   }
   return figure(
       drawing.svg("The cases in the plane of M and L"),
@@ -124,51 +130,48 @@ std::string cell_with_bar(const SweepData& table, std::size_t row, const std::st
 }
 
 std::string cases_table(const SweepData& table) {
-  std::vector<std::string> numbers = films(table);
-  for (const char* name : {"p_max_GPa", "P_max", "mu", "T_film_max", "starvation_factor", "lambda_ratio",
-                           "hd_h_c_deviation", "hd_h_m_deviation", "moes_h_c_deviation"})
-    if (table.has(name) && !(std::string(name) == "P_max" && table.has("p_max_GPa"))) numbers.push_back(name);
+  std::vector<std::string> shown = films(table);
+  const std::string in_si = numbers::column_in_si(id::p_max);
+  for (const std::string& column : table.columns)
+    if (shown_as(column) != numbers::OfSweep::hidden && !(column == id::P_max && table.has(in_si)))
+      shown.push_back(column);
   HtmlTable made{"", {}, {}, "numbers"};
   for (const std::string& key : table.varied) made.head.push_back(with_indices(with_unit(table, key)));
-  made.head.push_back("status");
-  for (const std::string& name : numbers)
-    made.head.push_back(name.ends_with("_deviation")
-                            ? escaped(name.substr(0, name.find('_'))) + " " +
-                                  (name.find("h_m") != std::string::npos ? "h<sub>m</sub>" : "h<sub>c</sub>") + " [%]"
-                        : name == "p_max_GPa" ? "p<sub>max</sub> [GPa]"
-                                              : with_indices(with_unit(table, name)));
-  made.head.push_back("warnings");
-  const std::size_t shown = std::min(table.rows.size(), most_rows_of_table);
-  for (std::size_t row = 0; row < shown; ++row) {
+  made.head.push_back(id::status);
+  for (const std::string& name : shown)
+    made.head.push_back(with_indices(name.ends_with("_deviation") ? words_for(name) + " [%]" : with_unit(table, name)));
+  made.head.push_back(id::warnings);
+  const std::size_t rows = std::min(table.rows.size(), most_rows_of_table);
+  for (std::size_t row = 0; row < rows; ++row) {
     std::vector<std::string> cells;
     for (const std::string& key : table.varied)
       cells.push_back(std::isfinite(table.number(row, key)) ? fmt::format("{:.6g}", table.number(row, key))
                                                             : escaped(table.cell(row, key)));
-    cells.push_back(solved(table, row) ? "converged" : not_converged_cell(escaped(table.cell(row, "status"))));
-    for (const std::string& name : numbers) {
+    cells.push_back(solved(table, row) ? "converged" : not_converged_cell(escaped(table.cell(row, id::status))));
+    for (const std::string& name : shown) {
       const double value = table.number(row, name);
       cells.push_back(!name.ends_with("_deviation") ? cell_with_bar(table, row, name)
                       : std::isfinite(value)        ? fmt::format("{:+.1f}", 100.0 * value)
                                                     : "–");
     }
-    cells.push_back(table.has("warnings") ? escaped(table.cell(row, "warnings")) : "");
+    cells.push_back(table.has(id::warnings) ? escaped(table.cell(row, id::warnings)) : "");
     made.rows.push_back(cells);
   }
   made.caption =
       "Value ± error bar (mesh and cycles); where no bar stands, none is estimated. Formulas (hd: Hamrock, Dowson "
       "1977; moes: Moes 1992): over the film computed, less 1.";
-  if (shown < table.rows.size()) made.caption += fmt::format(" The first {} of {} cases.", shown, table.rows.size());
+  if (rows < table.rows.size()) made.caption += fmt::format(" The first {} of {} cases.", rows, table.rows.size());
   return made.text();
 }
 
 std::string reasons(const SweepData& table) {
-  HtmlTable made{"Cases without a result", {"case", "status", "reason"}, {}, "main"};
+  HtmlTable made{"Cases without a result", {"case", id::status, id::reason}, {}, "main"};
   for (std::size_t row = 0; row < table.rows.size() && made.rows.size() < 50; ++row) {
     if (solved(table, row)) continue;
     std::string name;
     for (const std::string& key : table.varied) name += (name.empty() ? "" : ", ") + key + " = " + table.cell(row, key);
-    made.rows.push_back({escaped(name), escaped(table.cell(row, "status")),
-                         table.has("reason") ? escaped(table.cell(row, "reason")) : ""});
+    made.rows.push_back({escaped(name), escaped(table.cell(row, id::status)),
+                         table.has(id::reason) ? escaped(table.cell(row, id::reason)) : ""});
   }
   return made.rows.empty() ? "" : made.text();
 }
@@ -178,7 +181,7 @@ std::string reasons(const SweepData& table) {
 PageSection sweep_section(const std::string& path) {
   const SweepData table = read_sweep(path);
   PageSection section{"", path, "", {"sweep", {escaped(status_words(table))}}};
-  const bool all_solved = table.words("status") == std::vector<std::string>{"converged"};
+  const bool all_solved = table.words(id::status) == std::vector<std::string>{"converged"};
   section.markup = "<p class=\"" + std::string(all_solved ? "fine" : "alarm") + "\">" + escaped(status_words(table)) +
                    "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" + all_curves(table) + map_of_loads(table) +
                    "</div>\n" + cases_table(table) + reasons(table) + comments_of(table);

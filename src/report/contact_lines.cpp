@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text_format.hpp"
+#include "case/numbers/names.hpp"
 #include "contact/film_formulas.hpp"
 #include "report/film_fit.hpp"
 #include "report/outcome.hpp"
@@ -96,7 +97,7 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
     rows[0].insert(rows[0].end(), {"h_c [nm]", "", "h_m [nm]", ""});
     widths = {33, 8, 9, 9, 9};
   }
-  rows[0].insert(rows[0].end(), {"Hc", "Hm", "Hc (Moes)", "Hm (Moes)"});
+  rows[0].insert(rows[0].end(), {id::Hc, id::Hm, "Hc (Moes)", "Hm (Moes)"});
   widths.insert(widths.end(), {si ? 10U : 8U, 10U, 11U, 11U});
   const auto in_nm = [&](double H) { return known("{:.4g}", 1e9 * si->h * H); };
   const auto in_moes_units = [&](double H) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "case/plausible.hpp"
+#include "case/published.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
@@ -48,11 +49,11 @@ std::vector<Formula> published_formulas(const contact::Groups& groups) {
   std::vector<Formula> formulas;
   const bool line = contact::line(shape);
   if (line)
-    formulas.push_back({"Moes 1992", "moes",
+    formulas.push_back({published::moes.name, published::moes.code,
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
   else if (fitted)
-    formulas.push_back({"Nijenbanning, Venner, Moes 1994", "nvm",
+    formulas.push_back({published::nvm.name, published::nvm.code,
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
   if (!(groups.L > 0.0)) return formulas;
@@ -61,18 +62,18 @@ std::vector<Formula> published_formulas(const contact::Groups& groups) {
   constexpr double typical_U = 1e-11;
   const bool assumed = std::isnan(groups.U);
   const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
-  const auto add = [&](const std::string& name, const char* code, const contact::FilmThickness& film) {
-    formulas.push_back({assumed ? name + " (U = 1e-11)" : name, code,
+  const auto add = [&](const Publication& by, const contact::FilmThickness& film) {
+    formulas.push_back({std::string(by.name) + (assumed ? " (U = 1e-11)" : ""), by.code,
                         contact::H_from_thickness_over_radius(film.central, full.W, shape),
                         contact::H_from_thickness_over_radius(film.minimum, full.W, shape)});
   };
   if (line) {
-    add("Dowson, Higginson 1968; Toyoda 1979", "dh", contact::dowson_higginson(full));
+    add(published::dh, contact::dowson_higginson(full));
     return formulas;
   }
-  if (fitted) add("Hamrock, Dowson 1977", "hd", contact::hamrock_dowson(full));
+  if (fitted) add(published::hd, contact::hamrock_dowson(full));
   if (!contact::circular(shape) && contact::near_chittenden(shape))
-    add("Chittenden et al. 1985", "chittenden", contact::chittenden(full));
+    add(published::chittenden, contact::chittenden(full));
   return formulas;
 }
 
@@ -117,15 +118,17 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   return outcome;
 }
 
-// Only this function interprets the wording of `solution.method`; the rest of the program and the plots use the code.
-std::string path_code(const steady::Solution& solution) {
-  const std::string& method = solution.method;
-  const std::string later = "full multigrid, start ";
-  if (method.empty()) return "none";
-  if (method.starts_with(later)) return "full-multigrid-" + method.substr(later.size());
-  if (method.starts_with("load continuation")) return "load-continuation";
-  if (method.starts_with("Newton-Krylov after")) return "newton-after-cycles";
-  return method.starts_with("Newton") ? "newton" : "full-multigrid";
+bool has_film(const steady::Solution& solution) { return !solution.levels.empty() && solution.H.nodes_x() > 0; }
+
+bool is_finite(const Outcome& outcome) { return std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value); }
+
+Computed computed_of(const Case& input, FilmSolution&& found) {
+  Computed computed;
+  computed.solution = std::move(found.film);
+  computed.heat = std::move(found.heat);
+  computed.flow = std::move(found.flow);
+  if (has_film(computed.solution)) computed.outcome = outcome_of(input, computed.solution);
+  return computed;
 }
 
 const char* name(reynolds::Wedge wedge) {

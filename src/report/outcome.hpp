@@ -3,23 +3,23 @@
 #include <string>
 #include <vector>
 
-#include "case/computed.hpp"
+#include "case/film_solution.hpp"
 #include "case/scene.hpp"
 
 namespace ehl::program {
 
 /// Film, pressure, their places, formulas, roughness and warnings of a solution; in SI if the case has scales.
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
+/// A solution with its main numbers, which it has if there is a film.
+Computed computed_of(const Case& input, FilmSolution&& found);
+bool has_film(const steady::Solution& solution);
+bool is_finite(const Outcome& outcome);
 
 /// The film formulas for a case, the same for `run` and `check`: the published formulas made for its shape, and the fit
 /// to solutions of this program if the case is in its range (report/film_fit.hpp).
 std::vector<Formula> film_formulas(const Physics& physics);
 /// Which formulas are missing, and why; empty if none is missing.
 std::string formulas_left_out(const contact::Groups& groups);
-
-/// The strategy that led to the solution, as a code for scripts and plots: full-multigrid, full-multigrid-2 (from
-/// another start), load-continuation, newton, newton-after-cycles; none.
-std::string path_code(const steady::Solution& solution);
 
 /// The names of a wedge, a face value and a deformation method in decks.
 const char* name(reynolds::Wedge wedge);

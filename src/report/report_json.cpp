@@ -3,8 +3,9 @@
 #include "base/json.hpp"
 #include "base/machine.hpp"
 #include "case/effects.hpp"
+#include "case/numbers/number.hpp"
 #include "core/processor_level.hpp"
-#include "report/quantities.hpp"
+#include "report/course_columns.hpp"
 #include "report/report.hpp"
 
 namespace ehl::program {
@@ -13,8 +14,8 @@ namespace {
 // Films are in SI if the contact is. deviation = (formula - computed film)/(computed film).
 std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& outcome) {
   std::vector<Column<Formula>> columns{{"name", "", "", &Formula::name},
-                                       {"Hc", "a^2/R", "central film", &Formula::Hc},
-                                       {"Hm", "a^2/R", "smallest film", &Formula::Hm}};
+                                       {id::Hc, "a^2/R", "central film", &Formula::Hc},
+                                       {id::Hm, "a^2/R", "smallest film", &Formula::Hm}};
   const std::optional<SiScales> si = si_scales(input.physics);
   if (!si) return columns;
   const auto add_film = [&](const std::string& name, double Formula::*film, double computed) {
@@ -29,14 +30,14 @@ std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& o
 
 std::vector<Column<steady::Attempt>> attempt_columns() {
   using Row = steady::Attempt;
-  return {{"method", "", "strategy", &Row::method},
-          {"reason", "", "why it found no solution", &Row::reason},
-          {"seconds", "s", "time of the attempt", &Row::seconds}};
+  return {{id::method, "", "strategy", &Row::method},
+          {id::reason, "", "why it found no solution", &Row::reason},
+          {id::seconds, "s", "time of the attempt", &Row::seconds}};
 }
 
 std::vector<Column<newton::Step>> newton_columns() {
   using Row = newton::Step;
-  return {{"residual", "-", "relative residual after the step", &Row::residual},
+  return {{id::residual, "-", "relative residual after the step", &Row::residual},
           {"linear_iterations", "-", "iterations of the linear solver", &Row::linear_iterations}};
 }
 
@@ -55,7 +56,7 @@ Json accuracy_json(const steady::AccuracyReport& accuracy) {
 Json parts_json(const core::PartTimes& times) {
   Json rows = Json::array();
   for (std::size_t k = 0; k < times.seconds.size(); ++k)
-    rows.push_back({{"name", core::name(static_cast<core::Part>(k))}, {"seconds", times.seconds[k]}});
+    rows.push_back({{"name", core::name(static_cast<core::Part>(k))}, {id::seconds, times.seconds[k]}});
   return rows;
 }
 
@@ -66,27 +67,27 @@ std::string json_report(const Case& input, const Computed& computed) {
   const Outcome& outcome = computed.outcome;
   const FilmCoefficients coefficients = film_coefficients(input.physics);
   Json report;
-  add(film_quantities(input, solution, outcome), report);
-  // The quantities above belong to the steady start, but "converged" means the whole run in time.
-  if (const std::string why = why_incomplete(computed.in_time); !why.empty()) {
-    report["converged"] = false;
-    report["failed_check"] = why;
-  }
-  report["error_parts"]["Hc"] = parts_of(solution.error_bars.Hc);
-  report["error_parts"]["Hm"] = parts_of(solution.error_bars.Hm);
-  report["error_parts"]["Hm_fitted"] = parts_of(solution.error_bars.Hm_fitted);
-  add(scale_quantities(input), report);
+  const numbers::Solved solved{input, computed};
+  add(numbers::quantities("film", solved), report);
+  add(numbers::quantities("course", solved), report);
+  if (solution.starvation)
+    for (const char* one : {id::starvation_factor, id::mass_imbalance}) add({numbers::quantity(one, solved)}, report);
+  add(numbers::quantities("roughness", solved), report);
+  report["error_parts"][id::Hc] = parts_of(solution.error_bars.Hc);
+  report["error_parts"][id::Hm] = parts_of(solution.error_bars.Hm);
+  report["error_parts"][id::Hm_fitted] = parts_of(solution.error_bars.Hm_fitted);
+  add(numbers::scale_quantities(input), report);
   report["alpha_star"] = coefficients.alpha_star;
   report["alpha_film"] = coefficients.alpha_film;
   report["wedge"] = name(input.scene.wedge);
   report["face"] = name(input.scene.face);
-  report["deformation"] = name(input.scene.deformation.method);
+  report[id::deformation] = name(input.scene.deformation.method);
   report["threads"] = input.scene.threads;
   report["cpu_level"] = core::processor_level();
   report["peak_memory_bytes"] = peak_memory();
   report["accuracy"] = accuracy_json(solution.accuracy);
   report["levels"] = rows_json(level_columns(), solution.levels);
-  add(verification_quantities(solution.verification, input.scene.shape), report["verification"]);
+  add(numbers::quantities("verification", solved), report["verification"]);
   report["attempts"] = rows_json(attempt_columns(), solution.attempts);
   report["continuation"] = rows_json(continuation_columns(), solution.continuation);
   report["newton"] = rows_json(newton_columns(), solution.newton);
@@ -98,15 +99,15 @@ std::string json_report(const Case& input, const Computed& computed) {
 }
 
 std::string json_failure(const Case& input, const std::string& reason) {
-  return line_of({{"converged", false},
-                  {"failed_check", reason},
-                  {"title", input.title},
-                  {"Hc", nullptr},
-                  {"Hm", nullptr},
-                  {"M", input.physics.groups.M},
-                  {"L", input.physics.groups.L},
+  return line_of({{id::converged, false},
+                  {id::failed_check, reason},
+                  {id::title, input.title},
+                  {id::Hc, nullptr},
+                  {id::Hm, nullptr},
+                  {id::M, input.physics.groups.M},
+                  {id::L, input.physics.groups.L},
                   {"levels", Json::array()},
-                  {"warnings", Json::array()},
+                  {id::warnings, Json::array()},
                   {"warning_names", Json::array()}});
 }
 

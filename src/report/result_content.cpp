@@ -5,14 +5,17 @@
 
 #include "base/machine.hpp"
 #include "base/version.hpp"
+#include "case/numbers/number.hpp"
 #include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
-#include "report/quantities.hpp"
+#include "report/course_columns.hpp"
 #include "surface/resample.hpp"
 
 namespace ehl::program {
 namespace {
+
+using results::Quantity;
 
 bool wanted(const Case& input, const std::string& field) {
   return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
@@ -81,7 +84,7 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
   content.provenance = provenance(input);
   content.grid = solution.grid;
   content.summary = std::move(numbers);
-  content.summary.push_back({"warnings", deck::joined(told(computed.outcome.warnings), "\n"), "", "one per line"});
+  content.summary.push_back(numbers::given(id::warnings, deck::joined(told(computed.outcome.warnings), "\n")));
   for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
     content.summary.push_back(
         {line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "shape on this surface"});
@@ -109,19 +112,20 @@ DerivedFields derived_fields(const Case& input, const steady::Solution& solution
 results::Content result_content(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const DerivedFields& derived = computed.derived;
-  std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
-  for (Quantity& one : verification_quantities(solution.verification, input.scene.shape))
-    list.push_back(std::move(one));
+  const numbers::Solved solved{input, computed};
+  std::vector<Quantity> list;
+  for (const char* group : {"film", "course", "roughness", "verification"}) numbers::append(group, solved, list);
   results::Content content = content_of(input, computed, std::move(list));
-  content.scales = scale_quantities(input);
+  content.scales = numbers::scale_quantities(input);
   const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
                                                 {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
                                                 {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
                                                 {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
   if (const auto& errors = solution.adjoint; errors && errors->map_Hc.nodes_x() > 0) {
     const char* meaning = "contribution per area to its relative discretization error";
-    if (wanted(input, "error_Hc")) content.fields.push_back({"error_Hc", "1/a^2", meaning, &errors->map_Hc});
-    if (wanted(input, "error_Hm")) content.fields.push_back({"error_Hm", "1/a^2", meaning, &errors->map_Hm});
+    for (const auto& [name, map] :
+         {std::pair(id::error_map_Hc, &errors->map_Hc), std::pair(id::error_map_Hm, &errors->map_Hm)})
+      if (wanted(input, name)) content.fields.push_back({name, "1/a^2", meaning, map});
   }
   for (const results::NamedField& field : fields)
     if (wanted(input, field.name)) content.fields.push_back(field);

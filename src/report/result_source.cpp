@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "case/numbers/number.hpp"
+
 namespace ehl::program {
 namespace {
 
@@ -35,12 +37,13 @@ ResultSource open_result(const std::string& path, std::optional<std::size_t> num
 }
 
 std::optional<SiScales> scales_of(const results::ResultFile& file) {
-  const auto scale = [&](const std::string& name) {
-    const std::string path = "/scales/" + name;
+  const auto scale = [&](const char* name) {
+    const std::string path = numbers::path_of(name);
     const bool known = file.kind(path) == results::ResultFile::Kind::numbers && file.dims(path).empty();
     return known ? file.numbers(path).values[0] : std::nan("");
   };
-  const SiScales si{.a = scale("a"), .h = scale("h"), .p_h = scale("p_h"), .time = 2.0 * scale("a") / scale("u_s")};
+  const SiScales si{
+      .a = scale(id::a), .h = scale(id::h), .p_h = scale(id::p_h), .time = 2.0 * scale(id::a) / scale(id::u_s)};
   return std::isnan(si.a) ? std::nullopt : std::optional(si);
 }
 

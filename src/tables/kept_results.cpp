@@ -13,7 +13,6 @@
 #include "case/effects.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/outcome.hpp"
 #include "report/result_content.hpp"
 #include "results/collection.hpp"
 #include "results/write.hpp"
@@ -47,12 +46,7 @@ std::string name_of_kept(const std::string& table) {
 
 std::string journal_of_kept(const std::string& table) { return name_of_kept(table) + ".part"; }
 
-std::string kept_result(const Case& input, FilmSolution&& found) {
-  Computed computed;
-  computed.solution = std::move(found.film);
-  computed.heat = std::move(found.heat);
-  computed.flow = std::move(found.flow);
-  computed.outcome = outcome_of(input, computed.solution);
+std::string kept_result(const Case& input, Computed& computed) {
   computed.derived = derived_fields(input, computed.solution);
   Progress silent(true);
   RunSettings settings{.progress = silent, .save = [](const auto&) {}};

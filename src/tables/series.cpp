@@ -3,19 +3,17 @@
 #include <cmath>
 #include <map>
 
+#include "case/numbers/number.hpp"
+
 namespace ehl::program {
 
 FormulasOfTable published_for(const SweepData& table) {
-  if (table.has("moes_h_c_nm"))
-    return {{{"dh", "Dowson, Higginson 1968; Toyoda 1979"}, {"moes", "Moes 1992"}, {"", ""}}};
-  return {{{"hd", "Hamrock, Dowson 1977"},
-           {"nvm", "Nijenbanning, Venner, Moes 1994"},
-           {"chittenden", "Chittenden et al. 1985"}}};
+  const std::string film = numbers::column_in_si(id::hc);
+  if (table.has(column_of(published::moes, film))) return {{published::dh, published::moes, {}}};
+  return {{published::hd, published::nvm, published::chittenden}};
 }
 
-std::string column_of(const PublishedFormula& formula, const std::string& y) {
-  return std::string(formula.code) + "_" + y;
-}
+std::string column_of(const Publication& formula, const std::string& y) { return std::string(formula.code) + "_" + y; }
 
 std::string longest_key(const SweepData& table) {
   std::string longest;
@@ -28,9 +26,11 @@ std::string longest_key(const SweepData& table) {
   return longest;
 }
 
+std::vector<std::string> films_in_si() { return {numbers::column_in_si(id::hc), numbers::column_in_si(id::hm)}; }
+
 std::vector<std::string> films(const SweepData& table) {
-  if (table.has("h_c_nm")) return {"h_c_nm", "h_m_nm"};
-  return table.has("Hc") ? std::vector<std::string>{"Hc", "Hm"} : std::vector<std::string>{};
+  if (const std::vector<std::string> in_si = films_in_si(); table.has(in_si[0])) return in_si;
+  return table.has(id::Hc) ? std::vector<std::string>{id::Hc, id::Hm} : std::vector<std::string>{};
 }
 
 std::vector<std::vector<std::size_t>> curves_by(const SweepData& table, const std::vector<std::string>& by) {
@@ -47,10 +47,9 @@ std::vector<std::vector<std::size_t>> curves_by(const SweepData& table, const st
 }
 
 double error_bar(const SweepData& table, std::size_t row, const std::string& y) {
-  const std::string absolute = y.ends_with("_nm") ? y.substr(0, y.size() - 3) + "_error_nm" : "";
-  if (table.has(absolute)) return table.number(row, absolute);
-  const std::string relative = "error_" + y;
-  return table.has(relative) ? table.number(row, relative) * std::abs(table.number(row, y)) : 0.0;
+  const numbers::Number* number = numbers::number_of_column(y);
+  const std::string bar = number == nullptr ? "" : number->error;
+  return table.has(bar) ? table.number(row, bar) * std::abs(table.number(row, y)) : 0.0;
 }
 
 }  // namespace ehl::program

@@ -4,25 +4,24 @@
 #include <string>
 #include <vector>
 
+#include "case/published.hpp"
 #include "tables/sweep_data.hpp"
 
 namespace ehl::program {
 
-/// A published formula, named by the beginning of its columns; empty: none.
-struct PublishedFormula {
-  const char* code;
-  const char* name;
-};
-using FormulasOfTable = std::array<PublishedFormula, 3>;  // as many as the scripts can draw
+using FormulasOfTable = std::array<Publication, 3>;  // as many as the scripts can draw; empty: none
 
 /// The formulas for point contacts or for line contacts.
 FormulasOfTable published_for(const SweepData& table);
 
 /// The column that holds the value of a formula for a quantity, "hd_h_c_nm".
-std::string column_of(const PublishedFormula& formula, const std::string& y);
+std::string column_of(const Publication& formula, const std::string& y);
 
 /// The varied key with most values; empty if no key has three or more numbers.
 std::string longest_key(const SweepData& table);
+
+/// The columns of the films in SI: h_c_nm, h_m_nm.
+std::vector<std::string> films_in_si();
 
 /// The columns of the films; in SI if the table has them.
 std::vector<std::string> films(const SweepData& table);

@@ -5,6 +5,7 @@
 
 #include "base/machine.hpp"
 #include "case/film_solution.hpp"
+#include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "tables/csv.hpp"
@@ -46,38 +47,39 @@ void take(const steady::Solution& solution, StudyPoint& point) {
 
 std::vector<Column<StudyPoint>> study_columns(const std::optional<SiScales>& si) {
   using Point = StudyPoint;
+  using numbers::column;
   std::vector<Column<Point>> columns{
       {"cells", "-", "cells along x of the finest grid", part(&Point::way, &StudyCase::cells)},
       {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
       {"evaluator", "", "evaluation of the deformation", part(&Point::way, &StudyCase::evaluator)},
-      {"cycles", "", "number and shape of the cycles, or run", part(&Point::way, &StudyCase::cycles)},
-      {"status", "", "how the solution ended", &Point::status},
-      {"nx", "-", "cells along x", &Point::nx},
-      {"ny", "-", "cells along y", &Point::ny},
-      {"Hc", "-", "film at (0,0)", &Point::Hc},
-      {"Hm", "-", "smallest film of all nodes", &Point::Hm},
+      {id::cycles, "", "number and shape of the cycles, or run", part(&Point::way, &StudyCase::cycles)},
+      {id::status, "", "how the solution ended", &Point::status},
+      column<Point>(id::nx, &Point::nx),
+      column<Point>(id::ny, &Point::ny),
+      column<Point>(id::Hc, &Point::Hc),
+      column<Point>(id::Hm, &Point::Hm),
       {"deviation_Hc", "-", "relative deviation from the reference", &Point::deviation_Hc},
       {"deviation_Hm", "-", "relative deviation from the reference", &Point::deviation_Hm},
       {"estimate_Hc", "-", "relative discretization error as estimated by the run", &Point::estimate_Hc},
       {"estimate_Hm", "-", "relative discretization error as estimated by the run", &Point::estimate_Hm},
-      {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
+      column<Point>(id::residual, &Point::residual),
       {"cycles_by_level", "", "values from the first grid to the finest", &Point::cycles_by_level},
       {"attempts", "-", "number of strategies tried", &Point::attempts},
-      {"work_units", "-", "work of the whole solution, in evaluations of the finest grid", &Point::work_units},
-      {"seconds", "s", "shortest time of the repetitions", &Point::seconds},
+      {id::work_units, "-", "work of the whole solution, in evaluations of the finest grid", &Point::work_units},
+      {id::seconds, "s", "shortest time of the repetitions", &Point::seconds},
       {"seconds_most", "s", "longest time of the repetitions", &Point::seconds_most},
-      {"peak_memory", "bytes", "peak memory of the process", &Point::peak_memory},
+      column<Point>(id::peak_memory, &Point::peak_memory),
       {"at_reference_Hc", "-", "1: the deviation is below the error of the reference", &Point::at_reference_Hc},
       {"at_reference_Hm", "-", "1: the deviation is below the error of the reference", &Point::at_reference_Hm},
       {"front_Hc", "-", "1: on the Pareto front, no cheaper variant is as accurate", &Point::front_Hc},
       {"front_Hm", "-", "1: on the Pareto front, no cheaper variant is as accurate", &Point::front_Hm},
-      {"reason", "", "why there is no solution", &Point::reason}};
+      {id::reason, "", "why there is no solution", &Point::reason}};
   if (!si) return columns;
   const double nm = si_unit("a^2/R", *si).factor;
   const auto in_nm = [nm](double Point::*film) { return [nm, film](const Point& point) { return nm * point.*film; }; };
-  const auto film = std::ranges::find(columns, "Hc", &Column<Point>::name);
-  columns.insert(film, {{"h_c_nm", "nm", "film at (0,0)", in_nm(&Point::Hc)},
-                        {"h_m_nm", "nm", "smallest film of all nodes", in_nm(&Point::Hm)}});
+  const auto film = std::ranges::find(columns, id::Hc, &Column<Point>::name);
+  columns.insert(film, {{numbers::column_in_si(id::hc), "nm", numbers::number_of(id::hc).meaning, in_nm(&Point::Hc)},
+                        {numbers::column_in_si(id::hm), "nm", numbers::number_of(id::hm).meaning, in_nm(&Point::Hm)}});
   return columns;
 }
 

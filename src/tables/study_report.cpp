@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text_format.hpp"
+#include "case/numbers/names.hpp"
 #include "deck/text.hpp"
 #include "tables/csv.hpp"
 
@@ -31,7 +32,7 @@ std::string in_nm(const StudyPoint& point, const std::optional<SiScales>& si) {
 
 std::string point_line(const StudyPoint& point, const Reference& reference, const std::optional<SiScales>& si) {
   const std::string status = point.status == "converged" ? "" : point.status;
-  const std::string fronts = fmt::format("{} {}", point.front_Hc ? "Hc" : "", point.front_Hm ? "Hm" : "");
+  const std::string fronts = fmt::format("{} {}", point.front_Hc ? id::Hc : "", point.front_Hm ? id::Hm : "");
   std::string line = fmt::format(
       "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
       point.way.wedge, point.way.evaluator, point.way.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
@@ -59,7 +60,7 @@ std::string front_lines(const std::vector<StudyPoint>& points, const Reference& 
 std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   std::string text = "\nseconds to an accuracy that holds on all finer grids too\n";
   for (const auto& [name, error_of] :
-       {std::pair("Hc", &StudyPoint::deviation_Hc), std::pair("Hm", &StudyPoint::deviation_Hm)})
+       {std::pair(id::Hc, &StudyPoint::deviation_Hc), std::pair(id::Hm, &StudyPoint::deviation_Hm)})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
       const std::size_t found = cheapest(points, error_of, error);
       text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
@@ -186,8 +187,8 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
   text += "times        " + times_of(header) + "\n\n" + columns_of_points(header.si);
   for (const StudyPoint& point : points) text += point_line(point, reference, header.si);
   text += "(< below the error of the reference; stopped: not converged after its cycles)\n";
-  text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc", header.si);
-  text += front_lines(points, reference, &StudyPoint::front_Hm, "Hm", header.si);
+  text += front_lines(points, reference, &StudyPoint::front_Hc, id::Hc, header.si);
+  text += front_lines(points, reference, &StudyPoint::front_Hm, id::Hm, header.si);
   return text + accuracy_lines(points) + film_by_level(points) + seconds_by_level(points);
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "case/catalogue.hpp"
+#include "case/numbers/names.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "tables/csv.hpp"
@@ -34,7 +35,8 @@ void rename_older(const std::string& mark, SweepData& data) {
   const std::string before = "error_";
   for (std::string& column : data.columns) {
     if (mark != sweep_mark && column.starts_with(before)) column = "deviation_" + column.substr(before.size());
-    if (mark == sweep_mark && (column == "error_Hc" || column == "error_Hm")) column = "mesh_" + column;
+    if (mark == sweep_mark && column == id::error_Hc) column = id::mesh_error_Hc;
+    if (mark == sweep_mark && column == id::error_Hm) column = id::mesh_error_Hm;
   }
 }
 
@@ -79,7 +81,7 @@ SweepData read_table(const std::string& path, const std::string& mark) {
   }
   data.columns = csv_cells(line, line.size() + 2);
   if (older) rename_older(mark, data);
-  if (!data.has("status")) throw core::FileError(path + ": the table is damaged: it has no column status");
+  if (!data.has(id::status)) throw core::FileError(path + ": the table is damaged: it has no column status");
   while (std::getline(file, line)) {
     data.rows.push_back(csv_cells(line, data.columns.size()));
     if (data.rows.back().size() != data.columns.size())
@@ -91,7 +93,7 @@ SweepData read_table(const std::string& path, const std::string& mark) {
 
 SweepData read_sweep(const std::string& path) {
   SweepData data = read_table(path, sweep_mark);
-  data.varied.assign(data.columns.begin(), std::ranges::find(data.columns, "status"));
+  data.varied.assign(data.columns.begin(), std::ranges::find(data.columns, id::status));
   std::erase(data.varied, "case");  // the numbers of the cases of a shard
   const deck::Catalogue keys = catalogue();
   for (const std::string& name : data.varied) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "case/film_solution.hpp"
+#include "case/numbers/number.hpp"
 #include "results/content.hpp"
-#include "tables/si_columns.hpp"
 
 namespace ehl::program {
 
@@ -16,30 +16,17 @@ struct SweepHeader;
 /// failed (an error of the program). The second is the exit status that `ehl run` would return. Films, pressure and
 /// their errors are known only if the case converged. The last is the reason.
 using SweepRow = std::vector<results::Quantity>;
+using SweepColumns = std::vector<numbers::SweepColumn>;
 
-/// The optional columns of a sweep: what its cases have in common.
-struct SweepKind {
-  bool friction = false;
-  bool thermal = false;
-  bool starved = false;
-  bool roller = false;
-  bool in_time = false;                      ///< adds no column
-  bool stress = false;                       ///< adds no column
-  bool timing = false;                       ///< seconds and memory, which differ from run to run
-  bool si = false;                           ///< nm, GPa, and the published formulas
-  Bodies bodies = Bodies::circular;          ///< used only in SI
-  bool rough = false;                        ///< used only in SI
-  std::vector<results::Quantity> machine{};  ///< a bearing or gears; only names and units are used
-};
-
-/// The kind of sweep of a deck with these overrides.
-SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides);
+/// The columns of a sweep of a deck with these overrides. in: timing: with seconds and memory, which differ from run to
+/// run.
+SweepColumns columns_of_sweep(const std::string& path, const std::vector<std::string>& overrides, bool timing);
 
 /// The settings of the deck that a row does not report, one line each.
-std::vector<std::string> left_out(const SweepKind& kind);
+std::vector<std::string> left_out(const std::string& path, const std::vector<std::string>& overrides);
 
 /// An empty row, with the names and units of the table.
-SweepRow sweep_row(const SweepKind& kind);
+SweepRow sweep_row(const SweepColumns& columns);
 
 /// The value in a column. limits: a column of this name must exist.
 results::Value& in_row(SweepRow& row, const std::string& name);
@@ -51,8 +38,9 @@ results::Value& in_row(SweepRow& row, const std::string& name);
 SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
                     const std::function<void(const std::string&)>& say, std::string* kept = nullptr);
 
-/// The row of a solved case, converged or not. in: the case, its solution, an empty row.
-SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow row);
+/// The row of a solved case, converged or not. in: the columns, the case, its solution, to which the friction and the
+/// roller are added.
+SweepRow row_of_solution(const SweepColumns& columns, const Case& input, Computed& computed);
 
 /// The row of a case without a solution.
 SweepRow row_without_solution(SweepRow row, const std::string& status, int exit_status, const std::string& reason);

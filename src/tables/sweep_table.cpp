@@ -52,7 +52,20 @@ std::vector<std::string> cases_of(const SweepHeader& header) {
 std::string names_of_columns(const SweepHeader& header) {
   std::string line = header.shard.whole() ? "" : case_column;
   for (const std::string& key : varied_keys(header.variations)) line += key + ",";
-  return line + csv_names(sweep_row(header.kind));
+  return line + csv_names(sweep_row(header.columns));
+}
+
+// One line for each part of the table.
+std::string meaning_of_columns(const SweepColumns& columns) {
+  std::string text;
+  int part = -1;
+  for (const numbers::SweepColumn& one : columns) {
+    if (one.name == id::warnings) continue;
+    const bool begins = one.place / 100 != part;
+    part = one.place / 100;
+    text += (begins ? (text.empty() ? "# " : "\n# ") : "; ") + one.name + ": " + one.meaning;
+  }
+  return text + "\n";
 }
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
@@ -60,33 +73,10 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
   for (const std::string& program : programs) text += std::string(program_mark) + program + "\n";
   text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
   if (const std::vector<std::string> cases = cases_of(header); !cases.empty()) text += deck::joined(cases, "\n") + "\n";
-  text +=
-      "# status: converged, not-converged (films, P_max and errors are NaN), refused (error in the deck of this case), "
-      "failed (the program)\n"
-      "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
-      "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; exit_status: of `ehl run`; path: the "
-      "method as a code\n"
-      "# " +
-      meaning_of_warnings() + "\n";
-  for (const std::string& line : left_out(header.kind)) text += "# " + line + "\n";
-  if (header.kind.timing) text += "# seconds: the whole case, one thread\n";
-  if (header.kind.si) {
-    text +=
-        "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: film formula over the computed film, minus "
-        "1; ";
-    text += header.kind.bodies == Bodies::line ? "moes: Moes 1992; dh: Dowson, Higginson 1968, Toyoda 1979\n"
-                                               : "nvm: Nijenbanning, Venner, Moes 1994; hd: Hamrock, Dowson 1977\n";
-    if (header.kind.bodies == Bodies::elliptic) text += "# chittenden: Chittenden et al. 1985\n";
-    if (header.kind.rough)
-      text += "# lambda_ratio: smallest film of smooth surfaces over Sq, the combined roughness of both\n";
-  }
-  if (header.kind.friction)
-    text +=
-        "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
-        "surfaces 1 and 2 along +x over it; error_mu, error_mu_rolling: their relative error bars\n";
-  if (header.kind.thermal)
-    text += "# T_film_max, T_film_mean, T1_max, T2_max: of the film and of surfaces 1 and 2, rises above T_oil\n";
-  return text + csv_units(sweep_row(header.kind)) + "\n" + names_of_columns(header) + "\n";
+  text += "# H = h R/a^2, P = p/p_h, errors and residual relative\n";
+  text += meaning_of_columns(header.columns) + "# " + meaning_of_warnings() + "\n";
+  for (const std::string& line : header.left_out) text += "# " + line + "\n";
+  return text + csv_units(sweep_row(header.columns)) + "\n" + names_of_columns(header) + "\n";
 }
 
 const std::string remedy = ": give --overwrite to start again, or another --output";
@@ -129,7 +119,7 @@ SweepTable::SweepTable(const std::string& path, const SweepHeader& header, const
       header_(header),
       own_(own),
       rows_(number_of_cases(header.variations)),
-      columns_(sweep_row(header.kind)) {
+      columns_(sweep_row(header.columns)) {
   open();
   try {
     std::ifstream file(path);
@@ -270,7 +260,7 @@ std::vector<std::size_t> SweepTable::missing() const {
 }
 
 std::string SweepTable::cell(std::size_t index, const std::string& column) const {
-  const auto found = std::ranges::find(columns_, column, &Quantity::name);
+  const auto found = std::ranges::find(columns_, column, &results::Quantity::name);
   const std::vector<std::string> cells = csv_cells(rows_[index], columns_.size());
   const auto at = static_cast<std::size_t>(found - columns_.begin());
   return at < cells.size() ? cells[at] : "";

@@ -29,7 +29,9 @@ struct SweepHeader {
   std::string deck_text{};  ///< the text of the deck
   std::vector<std::string> set{};
   std::vector<Variation> variations{};
-  SweepKind kind{};                      ///< the optional columns
+  SweepColumns columns{};                ///< of a row, after the varied keys
+  bool timing = false;                   ///< with seconds and memory
+  std::vector<std::string> left_out{};   ///< what a row does not report
   std::vector<deck::NamedFile> files{};  ///< the files that any of the cases names
   Shard shard{};                         ///< the part of the cases that this table holds
   int at_once = 1;                       ///< cases that share the memory

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/machine.hpp"
+#include "case/numbers/number.hpp"
 #include "case/transient_run.hpp"
 #include "core/errors.hpp"
 #include "core/norms.hpp"
@@ -49,9 +50,9 @@ void take(const transient::MarchReport& report, TimeStudyPoint& point) {
 }  // namespace
 
 std::vector<std::string> time_study_quantities(std::size_t probes) {
-  std::vector<std::string> names{"Hc", "Hm", "P_max"};
-  for (std::size_t k = 1; k <= probes; ++k) names.push_back("P_" + std::to_string(k));
-  return names;
+  std::vector<std::string> list{id::Hc, id::Hm, id::P_max};
+  for (std::size_t k = 1; k <= probes; ++k) list.push_back("P_" + std::to_string(k));
+  return list;
 }
 
 std::string name_of_way(const TimeWay& way) {
@@ -66,17 +67,17 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
   std::vector<Column<Point>> list{
       {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
       {"longest_step", "a/u_m", "longest allowed step", part(&Point::way, &TimeWay::longest_step)},
-      {"time", "a/u_m", "reached", &Point::T},
+      {id::time, "a/u_m", "reached", &Point::T},
       {"steps", "-", "number of time steps", &Point::steps},
-      {"cycles", "-", "cycles of all steps", &Point::cycles},
+      {id::cycles, "-", "cycles of all steps", &Point::cycles},
       {"cycles_per_step", "-", "mean", cycles_per_step},
       {"rejected", "-", "attempts that failed the error test", &Point::rejected},
       {"not_solved", "-", "attempts that the cycles did not solve", &Point::not_solved},
       {"jumps", "-", "jumps of load or speed", &Point::jumps},
-      {"seconds", "s", "time of the run in time; the shortest of the repetitions", &Point::seconds},
+      {id::seconds, "s", "time of the run in time; the shortest of the repetitions", &Point::seconds},
       {"seconds_most", "s", "longest time of the repetitions", &Point::seconds_most},
-      {"peak_memory", "bytes", "peak memory of the process", &Point::peak_memory},
-      {"status", "", "how the run ended", &Point::status}};
+      numbers::column<Point>(id::peak_memory, &Point::peak_memory),
+      {id::status, "", "how the run ended", &Point::status}};
   if (si) {
     const double ms = si_unit("a/u_m", *si).factor;
     list.insert(list.begin() + 1, {{"longest_step_ms", "ms", "longest allowed step",
@@ -86,7 +87,7 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
   for (std::size_t k = 0; k < quantities.size(); ++k)
     list.push_back({"deviation_" + quantities[k], "-", "relative deviation from the reference, largest over the run",
                     [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
-  list.push_back({"reason", "", "why it is not complete", &Point::reason});
+  list.push_back({id::reason, "", "why it is not complete", &Point::reason});
   return list;
 }
 

@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units)
   scene.folder.write("d.ini", "[case]\nkind = dry\n[subsurface]\ndepth = 2\n[grid]\ncells = 64\n");
   scene.folder.write("m.ini",
                      "[contact]\nM = 20\nL = 10\nradius_ratio = 0.5\n[motion]\nangle = 30\n[lubricant]\nalpha = "
-                     "2.2e-8\n[grid]\ncells = 64\n[output]\nfields = P, H, error_Hc, error_Hm\n");
+                     "2.2e-8\n[grid]\ncells = 64\n[output]\nfields = P, H, error_map_Hc, error_map_Hm\n");
   BOOST_REQUIRE(scene.ehl("run d.ini").status == 0);
   BOOST_REQUIRE(scene.ehl("run m.ini").status == 0);
   BOOST_REQUIRE(scene

@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "case/catalogue.hpp"
+#include "case/numbers/number.hpp"
+#include "deck/deck.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text.hpp"
 #include "tables/csv.hpp"
@@ -26,12 +28,18 @@ std::vector<std::size_t> first(std::size_t count) {
   return cases;
 }
 
+program::SweepColumns columns_of(const std::string& deck) {
+  return program::numbers::columns_of_sweep(deck::read_text(deck, "d.ini", {}, program::catalogue()), false);
+}
+const program::SweepColumns plain = columns_of("[contact]\nM = 20\nL = 10\n");
+
 program::SweepHeader header_of(const Texts& vary) {
-  return {"ehl 1, commit x", "d.ini", "[contact]\n", {}, program::parse_variations(vary, {}, program::catalogue())};
+  return {
+      "ehl 1, commit x", "d.ini", "[contact]\n", {}, program::parse_variations(vary, {}, program::catalogue()), plain};
 }
 
 std::string row(const std::string& status) {
-  return program::csv_row(program::row_without_solution(program::sweep_row({}), status, 0, ""));
+  return program::csv_row(program::row_without_solution(program::sweep_row(plain), status, 0, ""));
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/film_solution.hpp"
+#include "case/numbers/number.hpp"
 #include "report/outcome.hpp"
-#include "report/quantities.hpp"
 #include "report/result_content.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -215,9 +216,11 @@ BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
 // The flow through a line contact is per length.
 BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
   const auto unit = [](const contact::Ellipse& shape) {
-    for (const program::Quantity& one : program::verification_quantities({}, shape))
-      if (one.name == "flow_through") return one.unit;
-    return std::string("none");
+    program::Case input = example_case();
+    input.scene.shape = shape;
+    input.scene.grid.line = contact::line(shape);
+    const program::Computed computed = computed_of(input, example_solution(true));
+    return program::numbers::quantity("flow_through", {input, computed}).unit;
   };
   BOOST_TEST(unit(contact::ellipse(1.0)) == "rho0 u_m a^3/R");
   BOOST_TEST(unit(contact::ellipse(0.2)) == "rho0 u_m a^3/R");

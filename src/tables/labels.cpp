@@ -1,11 +1,14 @@
-#include "tables/words_of_columns.hpp"
+#include "tables/labels.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
+#include "tables/series.hpp"
 
 namespace ehl::program {
 namespace {
@@ -40,31 +43,33 @@ std::string with_prefix(double number, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
-// The symbol of a key, for the names of curves.
+// A key that is varied: its label, and its symbol for the names of curves.
+struct KeyWords {
+  const char* key;
+  const char* words;
+  const char* symbol;
+};
+constexpr KeyWords keys_in_words[] = {{"motion.u_m", "entrainment speed u_m", "u_m"},
+                                      {"motion.srr", "slide-roll ratio", "srr"},
+                                      {"contact.load", "load F", "F"},
+                                      {"contact.radius_x", "R_x", "R_x"},
+                                      {"contact.E_prime", "E'", "E'"},
+                                      {"lubricant.eta0", "viscosity η_0", "η_0"},
+                                      {"lubricant.temperature", "temperature", "T"},
+                                      {"shear.tau_0", "τ_0", "τ_0"}};
+
 std::string symbol_of(const std::string& column) {
-  static const std::map<std::string, std::string> known{
-      {"motion.u_m", "u_m"},       {"contact.load", "F"},     {"lubricant.eta0", "η_0"}, {"lubricant.temperature", "T"},
-      {"contact.radius_x", "R_x"}, {"contact.E_prime", "E'"}, {"shear.tau_0", "τ_0"}};
-  const auto found = known.find(column);
-  return found != known.end() ? found->second : escaped(column.substr(column.find('.') + 1));
+  const auto known = std::ranges::find(keys_in_words, column, &KeyWords::key);
+  return known != std::end(keys_in_words) ? known->symbol : escaped(column.substr(column.find('.') + 1));
 }
 
 }  // namespace
 
 std::string words_for(const std::string& column) {
-  static const std::map<std::string, std::string> known{{"motion.u_m", "entrainment speed u_m"},
-                                                        {"contact.load", "load F"},
-                                                        {"motion.srr", "slide-roll ratio"},
-                                                        {"lubricant.eta0", "viscosity η_0"},
-                                                        {"lubricant.temperature", "temperature"},
-                                                        {"h_c_nm", "central film h_c"},
-                                                        {"h_m_nm", "smallest film h_m"},
-                                                        {"Hc", "central film H_c"},
-                                                        {"Hm", "smallest film H_m"},
-                                                        {"mu", "friction coefficient μ"},
-                                                        {"lambda_ratio", "lambda ratio h_m/S_q"}};
-  if (const auto found = known.find(column); found != known.end()) return found->second;
-  return symbol_of(column);
+  if (const auto known = std::ranges::find(keys_in_words, column, &KeyWords::key); known != std::end(keys_in_words))
+    return known->words;
+  const numbers::Number* number = numbers::number_of_column(column);
+  return number != nullptr && !number->label.empty() ? number->label : symbol_of(column);
 }
 
 std::string with_unit(const SweepData& table, const std::string& column) {
@@ -73,8 +78,8 @@ std::string with_unit(const SweepData& table, const std::string& column) {
 }
 
 std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns) {
-  if (columns == std::vector<std::string>{"h_c_nm", "h_m_nm"}) return "film thickness h [nm]";
-  if (columns == std::vector<std::string>{"Hc", "Hm"}) return "film thickness H = hR/a^2";
+  if (columns == films_in_si()) return "film thickness h [nm]";
+  if (columns == std::vector<std::string>{id::Hc, id::Hm}) return "film thickness H = hR/a^2";
   std::vector<std::string> words;
   for (const std::string& column : columns) words.push_back(with_unit(table, column));
   return deck::joined(words, ", ");

@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "base/si_units.hpp"
+#include "case/machine_input.hpp"
+#include "case/numbers/records.hpp"
+#include "deck/document.hpp"
+
+namespace ehl::program::numbers {
+namespace {
+
+bool gives(const deck::Deck& deck, const char* section, const char* key) { return deck::given(deck, section, key); }
+
+bool asks_si(const deck::Deck& deck) {
+  return gives(deck, "contact", "load") || gives(deck, "contact", "load_per_length");
+}
+bool asks_line(const deck::Deck& deck) {
+  const std::string kind = deck::word(deck, "contact", "kind");
+  return kind == "line" || kind == "roller";
+}
+bool asks_point(const deck::Deck& deck) { return !asks_line(deck); }
+bool asks_ellipse(const deck::Deck& deck) {
+  return asks_point(deck) && (gives(deck, "contact", "radius_y") || gives(deck, "contact", "radius_ratio"));
+}
+bool asks_roughness(const deck::Deck& deck) {
+  const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
+  return gives(deck, "contact", "Sq1") || gives(deck, "contact", "Sq2") || has_map("surface1") || has_map("surface2");
+}
+bool asks_friction(const deck::Deck& deck) { return gives(deck, "friction", "cavitated"); }
+bool asks_heat(const deck::Deck& deck) { return deck::called_for(deck, "thermal"); }
+bool asks_supply(const deck::Deck& deck) { return deck::called_for(deck, "supply"); }
+bool asks_roller(const deck::Deck& deck) { return deck::called_for(deck, "roller"); }
+bool never(const deck::Deck&) { return false; }
+
+bool has_rough(Of s) { return s.computed.outcome.roughness.has_value(); }
+bool has_rubbed(Of s) { return s.computed.friction.has_value(); }
+bool has_thinned(Of s) { return s.computed.flow.has_value(); }
+bool has_heated(Of s) { return s.computed.heat.has_value(); }
+bool has_starved(Of s) { return solution(s).starvation.has_value(); }
+bool has_rolled(Of s) { return s.computed.roller.has_value(); }
+bool has_stressed(Of s) { return s.computed.stresses.has_value(); }
+bool has_in_time(Of s) { return s.computed.in_time.has_value(); }
+
+const Group& group(const std::string& name) {
+  const auto found = std::ranges::find(registry(), name, &Group::name);
+  if (found == registry().end()) throw std::logic_error("the registry has no group " + name);
+  return *found;
+}
+
+bool exists(bool (*on)(Of), const Number& one, Of s) {
+  return one.value && (on == nullptr || on(s)) && (!one.only_if || one.only_if(s));
+}
+
+// True where a case is told per length.
+bool per_length(const Unit& unit, const Case& input) {
+  return unit.also_of_rollers ? contact::line(input.physics.groups.shape) : input.scene.grid.line;
+}
+
+Quantity made(const Group& in, const Number& one, Of s) {
+  return {one.in_file ? in.prefix + one.name : "",    one.value(s),
+          one.unit.of(per_length(one.unit, s.input)), one.meaning_here ? one.meaning_here(s) : one.meaning,
+          one.json.empty() ? one.name : one.json,     one.error};
+}
+
+std::vector<Quantity> quantities(const Group& in, Of s) {
+  std::vector<Quantity> list;
+  for (const Number& one : in.numbers)
+    if (exists(in.on, one, s)) list.push_back(made(in, one, s));
+  return list;
+}
+
+std::string path_in(const Group& in, const std::string& name) { return in.home + "/" + in.prefix + name; }
+
+struct Record {
+  const Group* group;
+  const Number* number;
+};
+
+const Record& record_of(const std::string& name) {
+  static const std::map<std::string, Record> all = [] {
+    std::map<std::string, Record> made;
+    for (const Group& in : registry())
+      for (const Number& one : in.numbers) {
+        made.try_emplace(one.name, Record{&in, &one});
+        if (one.in_file) made.try_emplace(path_in(in, one.name), Record{&in, &one});
+      }
+    return made;
+  }();
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::logic_error("the registry has no number " + name);
+  return found->second;
+}
+
+// "h_c_nm"; a load is in N or in N/m.
+std::string name_in_si(const Number& one, const std::string& unit) {
+  return one.in_si.symbol + "_" + unit_in_names(unit);
+}
+std::string name_in_si(const Number& one) {
+  return name_in_si(one, one.in_si.unit.empty() ? one.unit.name : one.in_si.unit);
+}
+
+// The value in another unit; the blank where a case has no such number.
+std::function<Value(Of)> cell_of(const Group& in, const Number& one, const Conversion& to) {
+  return [on = in.on, one, to](Of s) -> Value {
+    if (!exists(on, one, s)) return one.column.blank;
+    return to.none() ? one.value(s) : Value(to.of(results::number(one.value(s))));
+  };
+}
+
+void add_columns(const Group& in, bool si, bool line, std::vector<SweepColumn>& columns) {
+  for (const Number& one : in.numbers) {
+    const std::string& own = one.unit.of(line);
+    if (one.column.place > 0 && (si || !one.column.only_si))
+      columns.push_back(
+          {one.name, own, one.meaning, one.column.place, one.column.blank, in.known, cell_of(in, one, {})});
+    if (one.in_si.place == 0 || !si) continue;
+    const std::string unit = one.in_si.unit.empty() ? own : one.in_si.unit;
+    columns.push_back({name_in_si(one, unit), unit, one.meaning, one.in_si.place, core::unknown, in.known,
+                       cell_of(in, one, conversion(own, unit))});
+  }
+}
+
+}  // namespace
+
+const std::vector<Group>& registry() {
+  static const std::vector<Group> all{
+      {.name = "film", .numbers = film_numbers()},
+      {.name = "course", .numbers = course_numbers(), .known = Known::solved},
+      {.name = "verification", .numbers = verification_numbers()},
+      {.name = "roughness", .numbers = roughness_numbers(), .on = has_rough, .asked = asks_roughness},
+      {.name = "similarity", .numbers = similarity_numbers(), .home = "/scales", .known = Known::before},
+      {.name = "scales", .numbers = scale_numbers(), .home = "/scales", .known = Known::before},
+      {.name = "grid", .numbers = grid_numbers(), .home = "", .known = Known::before},
+      {.name = "formulas of lines", .numbers = line_formulas(), .known = Known::before, .asked = asks_line},
+      {.name = "deviations of lines", .numbers = line_deviations(), .asked = asks_line},
+      {.name = "formulas of points", .numbers = point_formulas(), .known = Known::before, .asked = asks_point},
+      {.name = "deviations of points", .numbers = point_deviations(), .asked = asks_point},
+      {.name = "formulas of ellipses", .numbers = ellipse_formulas(), .known = Known::before, .asked = asks_ellipse},
+      {.name = "deviations of ellipses", .numbers = ellipse_deviations(), .asked = asks_ellipse},
+      {.name = "row", .numbers = row_numbers(), .home = "", .known = Known::before},
+      {.name = "timing", .numbers = timing_numbers(), .home = "", .asked = never},
+      {.name = "friction", .numbers = friction_numbers(), .on = has_rubbed, .asked = asks_friction},
+      {.name = "shear", .numbers = shear_numbers(), .on = has_thinned, .asked = never},
+      {.name = "thermal", .numbers = thermal_numbers(), .on = has_heated, .asked = asks_heat},
+      {.name = "starvation", .numbers = starvation_numbers(), .on = has_starved, .asked = asks_supply},
+      {.name = "roller", .numbers = roller_numbers(), .prefix = "roller_", .on = has_rolled, .asked = asks_roller},
+      {.name = "stresses", .numbers = stress_numbers(), .home = "/subsurface", .on = has_stressed},
+      {.name = "end of time", .numbers = ending_numbers(), .on = has_in_time},
+      {.name = "transient", .numbers = transient_numbers(), .home = "", .on = has_in_time},
+      {.name = "steps", .numbers = step_numbers(), .home = "/transient"}};
+  return all;
+}
+
+std::vector<Quantity> quantities(const std::string& name, Of solved) { return quantities(group(name), solved); }
+
+std::vector<Quantity> scale_quantities(const Case& input) {
+  const Computed nothing{};
+  const Solved solved{input, nothing};
+  std::vector<Quantity> list = quantities("similarity", solved);
+  if (input.machine)
+    for (Quantity& one : quantities({.name = "machine", .numbers = machine_numbers(*input.machine)}, solved))
+      list.push_back(std::move(one));
+  for (Quantity& one : quantities("scales", solved)) list.push_back(std::move(one));
+  return list;
+}
+
+Quantity quantity(const std::string& name, Of solved) {
+  const Record& found = record_of(name);
+  return made(*found.group, *found.number, solved);
+}
+
+Quantity given(const std::string& name, const Value& value) {
+  const Number& of = number_of(name);
+  return {of.name, value, of.unit.name, of.meaning, of.json, of.error};
+}
+
+void append(const std::string& name, Of solved, std::vector<Quantity>& list) {
+  for (Quantity& one : quantities(name, solved))
+    if (one.name.empty() || std::ranges::find(list, one.name, &Quantity::name) == list.end())
+      list.push_back(std::move(one));
+}
+
+const Number& number_of(const std::string& name) { return *record_of(name).number; }
+
+std::string path_of(const std::string& name) {
+  const Record& found = record_of(name);
+  return path_in(*found.group, found.number->name);
+}
+
+std::string error_path_of(const std::string& name) {
+  const Record& found = record_of(name);
+  return found.number->error.empty() ? "" : path_in(*found.group, found.number->error);
+}
+
+std::vector<Shown> shown_on_page() {
+  std::vector<Shown> list;
+  for (const Group& in : registry())
+    for (const Number& one : in.numbers)
+      if (one.page.place > 0)
+        list.push_back({&one, path_in(in, one.name), one.error.empty() ? "" : path_in(in, one.error)});
+  std::ranges::stable_sort(list, {}, [](const Shown& one) { return one.number->page.place; });
+  return list;
+}
+
+std::string label_in_time(const std::string& name) {
+  if (name == id::Hc) return number_of(id::hc).label;
+  if (name == id::Hm) return number_of(id::hm).label;
+  const std::string path = "/transient/" + name;
+  return (name == id::load || name == id::speed ? number_of(path) : number_of(name)).label;
+}
+
+std::vector<SweepColumn> columns_of_sweep(deck::Deck deck, bool timing) {
+  const std::optional<machines::Contact> machine = machine_input(deck);
+  const bool si = asks_si(deck), line = asks_line(deck);
+  std::vector<SweepColumn> columns;
+  for (const Group& in : registry())
+    if (in.asked == nullptr || in.asked(deck) || (timing && in.name == "timing")) add_columns(in, si, line, columns);
+  if (machine)
+    add_columns({.name = "machine", .numbers = machine_numbers(*machine), .known = Known::before}, si, line, columns);
+  std::ranges::stable_sort(columns, {}, &SweepColumn::place);
+  std::vector<SweepColumn> list;
+  for (SweepColumn& one : columns)  // friction with heat stands in two groups
+    if (std::ranges::find(list, one.name, &SweepColumn::name) == list.end()) list.push_back(std::move(one));
+  return list;
+}
+
+const Number* number_of_column(const std::string& column) {
+  for (const Group& in : registry())
+    for (const Number& one : in.numbers)
+      if ((one.column.place > 0 && one.name == column) || (one.in_si.place > 0 && name_in_si(one) == column))
+        return &one;
+  return nullptr;
+}
+
+std::string column_in_si(const std::string& name) { return name_in_si(number_of(name)); }
+
+}  // namespace ehl::program::numbers

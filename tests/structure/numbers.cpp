@@ -1,0 +1,160 @@
+// Every number is declared once, in the registry: its name and its label stand nowhere else in the program.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "case/catalogue.hpp"
+#include "case/numbers/number.hpp"
+#include "structure/house.hpp"
+
+namespace fs = std::filesystem;
+using namespace ehl::program;
+
+namespace {
+
+const fs::path root = EHL_SOURCE_DIR;
+const std::string home = "src/case/numbers/";
+
+struct Literal {
+  int line = 0;
+  std::string text;
+};
+
+// The string literals of a source text, without those of comments and #include lines.
+std::vector<Literal> literals_of(const std::string& source) {
+  std::vector<Literal> found;
+  int line = 1;
+  for (std::size_t k = 0; k < source.size(); ++k) {
+    const char c = source[k];
+    if (c == '\n') ++line;
+    if (source.compare(k, 2, "//") == 0 || source.compare(k, 8, "#include") == 0) {
+      k = std::min(source.find('\n', k), source.size()) - 1;
+    } else if (c == '\'' && k + 2 < source.size() && (source[k + 2] == '\'' || source[k + 1] == '\\')) {
+      k = source.find('\'', k + 2);
+    } else if (c == '"') {
+      std::string text;
+      for (++k; k < source.size() && source[k] != '"'; ++k) {
+        if (source[k] == '\\') text += source[k++];
+        text += source[k];
+      }
+      found.push_back({line, text});
+    }
+  }
+  return found;
+}
+
+// Names of numbers that are also words of decks: sections, keys, values, and names of effects.
+std::set<std::string> words_of_decks() {
+  std::set<std::string> words;
+  const ehl::deck::Catalogue all = catalogue();
+  for (const ehl::deck::Section& section : all.sections) words.insert(section.name);
+  for (const ehl::deck::Key& key : all.keys) {
+    words.insert(key.name);
+    for (const std::string& word : key.words) words.insert(word);
+  }
+  return words;
+}
+
+// Names of numbers that are also names of other things.
+const std::map<std::string, std::string>& other_things() {
+  static const std::map<std::string, std::string> all{{"attempts", "the table of strategies in the JSON report"},
+                                                      {"steps", "a column of tables, of another count in each"},
+                                                      {"passes", "the table of passes, and a column"},
+                                                      {"path", "a member of the C interface"},
+                                                      {"b", "a semi-axis; also the key of a picture"},
+                                                      {"rejected", "a column of the table of steps"},
+                                                      {"not_solved", "a column of the table of steps"},
+                                                      {"newton_steps", "a column of the table of steps"},
+                                                      {"oil_lost", "a column of the table of steps"},
+                                                      {"jumps", "a number of the checkpoint"},
+                                                      {"load", "a group of the deck"}};
+  return all;
+}
+
+struct Names {
+  std::set<std::string> names;
+  std::set<std::string> labels;
+};
+
+Names registered() {
+  Names all;
+  for (const numbers::Group& group : numbers::registry())
+    for (const numbers::Number& one : group.numbers) {
+      all.names.insert(one.name);
+      all.names.insert(group.prefix + one.name);
+      if (one.in_si.place > 0) all.names.insert(numbers::column_in_si(one.name));
+      if (!one.label.empty()) all.labels.insert(one.label);
+      if (!one.page.words.empty()) all.labels.insert(one.page.words);
+    }
+  return all;
+}
+
+// Literals that are a number's name, a path that ends with it, or its label.
+std::vector<std::string> offences(const std::vector<house::SourceFile>& files, const Names& known) {
+  const std::set<std::string> words = words_of_decks();
+  std::vector<std::string> found;
+  for (const house::SourceFile& file : files) {
+    if (file.path.generic_string().starts_with(home)) continue;
+    for (const Literal& literal : literals_of(file.text)) {
+      const std::size_t slash = literal.text.rfind('/');
+      const std::string name = slash == std::string::npos ? literal.text : literal.text.substr(slash + 1);
+      const bool is_name = known.names.contains(name) && !words.contains(name) && !other_things().contains(name);
+      if (is_name || known.labels.contains(literal.text))
+        found.push_back(file.path.generic_string() + ":" + std::to_string(literal.line) + ": \"" + literal.text + "\"");
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_numbers)
+
+BOOST_AUTO_TEST_CASE(the_reader_finds_literals) {
+  const std::vector<Literal> found =
+      literals_of("#include \"a.hpp\"\n// \"no\"\nf('\"', \"Hc\", \"/summary/Hm\");\ng(\"a\\\"b\");\n");
+  BOOST_REQUIRE(found.size() == 3);
+  BOOST_TEST(found[0].text == "Hc");
+  BOOST_TEST(found[0].line == 3);
+  BOOST_TEST(found[1].text == "/summary/Hm");
+  BOOST_TEST(found[2].text == "a\\\"b");
+  const house::SourceFile bad{"src/page/a.cpp", "src", "f(\"Hc\", \"/summary/Hm\", \"central film h_c\", \"other\");"};
+  BOOST_TEST(offences({bad}, registered()).size() == 3);
+  const house::SourceFile good{home + "a.cpp", "src", "f(\"Hc\");"};
+  BOOST_TEST(offences({good}, registered()).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_number_is_declared_once) {
+  const Names known = registered();
+  BOOST_TEST_MESSAGE(known.names.size() << " names and " << known.labels.size() << " labels in the registry");
+  BOOST_TEST(known.names.size() > 100);
+  for (const std::string& offence : offences(house::read_sources(root, "src"), known)) BOOST_ERROR(offence);
+}
+
+// A word that no number has, or that decks have anyhow, needs no exception.
+BOOST_AUTO_TEST_CASE(every_exception_is_needed) {
+  const std::set<std::string> names = registered().names, words = words_of_decks();
+  for (const auto& [word, why] : other_things())
+    BOOST_TEST((names.contains(word) && !words.contains(word)), word << ": " << why);
+}
+
+// In a group a name stands once; the conditions of a name that stands twice exclude each other.
+BOOST_AUTO_TEST_CASE(names_are_unambiguous) {
+  for (const numbers::Group& group : numbers::registry()) {
+    std::map<std::string, int> count;
+    for (const numbers::Number& one : group.numbers) {
+      ++count[one.name];
+      BOOST_TEST(!one.name.empty());
+      BOOST_TEST(!one.meaning.empty(), one.name);
+      BOOST_TEST((one.page.place == 0 || !one.label.empty()), one.name << " is on the page without a label");
+      if (!one.error.empty()) BOOST_TEST(!numbers::error_path_of(one.name).empty(), one.name);
+      BOOST_TEST((count[one.name] == 1 || one.only_if), group.name << ": " << one.name);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
