@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/json.hpp"
@@ -180,6 +181,10 @@ std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& c
 void add_effects(const Case& input, const Computed& computed, results::Content& content) {
   for (const Effect& effect : effects_of(input))
     if (effect.add_content) effect.add_content(input, computed, content);
+  // A number refers to an error bar only if the file has it.
+  for (results::Quantity& one : content.summary)
+    if (std::ranges::find(content.summary, one.error, &results::Quantity::name) == content.summary.end())
+      one.error.clear();
   content.effects = effect_rows(input, computed);
 }
 

@@ -25,15 +25,15 @@ struct RowKind {
 // The columns of /transient, in order. in: the probes.
 std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes) {
   using numbers::column;
-  std::vector<Column<StepRow>> columns{column<StepRow>("/transient/time", &StepRow::T),
+  std::vector<Column<StepRow>> columns{column<StepRow>(id::step_time, &StepRow::T),
                                        column<StepRow>(id::Hc, &StepRow::Hc),
                                        column<StepRow>(id::Hm, &StepRow::Hm),
                                        column<StepRow>(id::Hm_x, &StepRow::Hm_X),
                                        column<StepRow>(id::Hm_y, &StepRow::Hm_Y),
                                        column<StepRow>(id::P_max, &StepRow::P_max),
                                        column<StepRow>(id::H00, &StepRow::H00),
-                                       column<StepRow>("/transient/load", &StepRow::load),
-                                       column<StepRow>("/transient/speed", &StepRow::speed),
+                                       column<StepRow>(id::step_load, &StepRow::load),
+                                       column<StepRow>(id::step_speed, &StepRow::speed),
                                        column<StepRow>(id::load_error, &StepRow::load_error)};
   if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
@@ -113,7 +113,7 @@ std::vector<StepRow> read_rows(const results::ResultFile& file) {
   std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
   for (StepRow& row : rows) row.probed.resize(probes.size());
   for (const Column<StepRow>& column :
-       step_columns({.body = there("velocity"), .oil = there("oil_in"), .newton = there("newton_steps")}, probes)) {
+       step_columns({.body = there("velocity"), .oil = there(id::oil_in), .newton = there("newton_steps")}, probes)) {
     const std::string name = "/transient/" + column.name;
     const std::vector<double> values = credible(file, name);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);

@@ -96,7 +96,7 @@ std::string comparison(const std::vector<PageSection>& sections) {
   bool results = false;
   for (const PageSection& one : sections) results = results || one.compared.kind.find("run") == 0;
   for (const char* column : compared_columns)
-    table.head.push_back(with_indices(std::string(column) == "p_max" ? "p_{max}" : column));
+    table.head.push_back(with_indices(std::string(column) == id::p_max ? "p_{max}" : column));
   for (std::size_t k = 0; k < sections.size(); ++k) {
     std::vector<std::string> row{fmt::format("<a href=\"#part{}\">", k + 1) +
                                      escaped(std::filesystem::path(sections[k].path).filename().string()) + "</a>",

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/numbers/names.hpp"
+
 namespace ehl::program {
 
 /// One row of the table that compares several files.
@@ -12,7 +14,7 @@ struct Compared {
   std::vector<std::string> cells{};  ///< markup; for a result file: the cells of `compared_columns`
 };
 constexpr const char* compared_columns[] = {"M",     "L",       "load", "u_m", "central film", "smallest film",
-                                            "p_max", "friction"};
+                                            id::p_max, "friction"};
 
 struct PageSection {
   std::string title{};   ///< the title in the file

@@ -97,7 +97,7 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
 }
 
 // The last word of a label: "H_c" of "central film H_c".
-std::string symbol_of(const std::string& column) {
+std::string film_symbol(const std::string& column) {
   const std::string words = words_for(column);
   return words.substr(words.rfind(' ') + 1);
 }
@@ -112,7 +112,7 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
     ys.push_back(table.number(row, column));
   }
   if (std::ranges::none_of(ys, [](double e) { return e > 0.0; })) return "";
-  const std::string symbol = symbol_of(name);
+  const std::string symbol = film_symbol(name);
   Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
   std::vector<LegendEntry> legend;
   const auto ways = ways_of(table, by, along);

@@ -61,28 +61,37 @@ std::set<std::string> words_of_decks() {
 
 // Names of numbers that are also names of other things.
 const std::map<std::string, std::string>& other_things() {
-  static const std::map<std::string, std::string> all{{"attempts", "the table of strategies in the JSON report"},
-                                                      {"steps", "a column of tables, of another count in each"},
-                                                      {"passes", "the table of passes, and a column"},
-                                                      {"path", "a member of the C interface"},
-                                                      {"b", "a semi-axis; also the key of a picture"},
-                                                      {"rejected", "a column of the table of steps"},
-                                                      {"not_solved", "a column of the table of steps"},
-                                                      {"newton_steps", "a column of the table of steps"},
-                                                      {"oil_lost", "a column of the table of steps"},
-                                                      {"jumps", "a number of the checkpoint"},
-                                                      {"load", "a group of the deck"}};
+  static const std::map<std::string, std::string> all{
+      {"a", "a unit"},
+      {"h", "a symbol"},
+      {"p_h", "a unit"},
+      {"rho0", "a unit"},
+      {"Sq", "a number of each height map in the JSON report"},
+      {"lambda", "a word of a warning"},
+      {"mu", "a column of measured traction curves"},
+      {"converged", "a status"},
+      {"warnings", "a list in the JSON report, one for each effect"},
+      {"time", "the axis of fields in time"},
+      {"attempts", "the table of strategies in the JSON report"},
+      {"steps", "a column of the tables of passes and of studies in time"},
+      {"rejected", "a column of the tables of steps and of studies in time"},
+      {"not_solved", "a column of the tables of steps and of studies in time"},
+      {"newton_steps", "a column of the table of steps"},
+      {"oil_lost", "a column of the table of steps"},
+      {"jumps", "a number of the checkpoint, and a column of studies in time"}};
   return all;
 }
 
 struct Names {
   std::set<std::string> names;
   std::set<std::string> labels;
+  std::set<std::string> homes;  ///< groups of the result file
 };
 
 Names registered() {
   Names all;
-  for (const numbers::Group& group : numbers::registry())
+  for (const numbers::Group& group : numbers::registry()) {
+    if (!group.home.empty()) all.homes.insert(group.home);
     for (const numbers::Number& one : group.numbers) {
       all.names.insert(one.name);
       all.names.insert(group.prefix + one.name);
@@ -90,6 +99,7 @@ Names registered() {
       if (!one.label.empty()) all.labels.insert(one.label);
       if (!one.page.words.empty()) all.labels.insert(one.page.words);
     }
+  }
   return all;
 }
 
@@ -100,8 +110,9 @@ std::vector<std::string> offences(const std::vector<house::SourceFile>& files, c
   for (const house::SourceFile& file : files) {
     if (file.path.generic_string().starts_with(home)) continue;
     for (const Literal& literal : literals_of(file.text)) {
-      const std::size_t slash = literal.text.rfind('/');
-      const std::string name = slash == std::string::npos ? literal.text : literal.text.substr(slash + 1);
+      const bool is_path =
+          std::ranges::any_of(known.homes, [&](const std::string& of) { return literal.text.starts_with(of + "/"); });
+      const std::string name = is_path ? literal.text.substr(literal.text.rfind('/') + 1) : literal.text;
       const bool is_name = known.names.contains(name) && !words.contains(name) && !other_things().contains(name);
       if (is_name || known.labels.contains(literal.text))
         found.push_back(file.path.generic_string() + ":" + std::to_string(literal.line) + ": \"" + literal.text + "\"");

@@ -207,8 +207,7 @@ std::vector<Shown> shown_on_page() {
 std::string label_in_time(const std::string& name) {
   if (name == id::Hc) return number_of(id::hc).label;
   if (name == id::Hm) return number_of(id::hm).label;
-  const std::string path = "/transient/" + name;
-  return (name == id::load || name == id::speed ? number_of(path) : number_of(name)).label;
+  return number_of(name == id::load ? id::step_load : name == id::speed ? id::step_speed : name).label;
 }
 
 std::vector<SweepColumn> columns_of_sweep(deck::Deck deck, bool timing) {

@@ -28,18 +28,22 @@ std::vector<std::size_t> first(std::size_t count) {
   return cases;
 }
 
-program::SweepColumns columns_of(const std::string& deck) {
+program::SweepColumns plain() {
+  const char* deck = "[contact]\nM = 20\nL = 10\n";
   return program::numbers::columns_of_sweep(deck::read_text(deck, "d.ini", {}, program::catalogue()), false);
 }
-const program::SweepColumns plain = columns_of("[contact]\nM = 20\nL = 10\n");
 
 program::SweepHeader header_of(const Texts& vary) {
-  return {
-      "ehl 1, commit x", "d.ini", "[contact]\n", {}, program::parse_variations(vary, {}, program::catalogue()), plain};
+  return {"ehl 1, commit x",
+          "d.ini",
+          "[contact]\n",
+          {},
+          program::parse_variations(vary, {}, program::catalogue()),
+          plain()};
 }
 
 std::string row(const std::string& status) {
-  return program::csv_row(program::row_without_solution(program::sweep_row(plain), status, 0, ""));
+  return program::csv_row(program::row_without_solution(program::sweep_row(plain()), status, 0, ""));
 }
 
 }  // namespace

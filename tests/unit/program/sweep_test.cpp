@@ -42,17 +42,18 @@ std::vector<std::size_t> first(std::size_t count) {
   return cases;
 }
 
-program::SweepColumns columns_of(const std::string& deck) {
+program::SweepColumns plain() {
+  const char* deck = "[contact]\nM = 20\nL = 10\n";
   return program::numbers::columns_of_sweep(deck::read_text(deck, "d.ini", {}, program::catalogue()), false);
 }
-const program::SweepColumns plain = columns_of("[contact]\nM = 20\nL = 10\n");
 
 program::SweepHeader header_of(const Texts& vary, const std::string& deck_text = "[contact]\n") {
-  return {"ehl 1, commit x", "d.ini", deck_text, {}, program::parse_variations(vary, {}, program::catalogue()), plain};
+  return {
+      "ehl 1, commit x", "d.ini", deck_text, {}, program::parse_variations(vary, {}, program::catalogue()), plain()};
 }
 
 std::string row(const std::string& status) {
-  return program::csv_row(program::row_without_solution(program::sweep_row(plain), status, 0, ""));
+  return program::csv_row(program::row_without_solution(program::sweep_row(plain()), status, 0, ""));
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ BOOST_AUTO_TEST_CASE(rows) {
   };
   const auto in = [](program::SweepRow row, const char* name) { return results::number(program::in_row(row, name)); };
   program::Computed computed = program::computed_of(input, {solution});
-  const program::SweepRow good = program::row_of_solution(plain, input, computed);
+  const program::SweepRow good = program::row_of_solution(plain(), input, computed);
   BOOST_TEST((text_in(good, "status") == "converged" && in(good, "exit_status") == 0 && in(good, "Hc") == 0.4 &&
               in(good, "Hm") == 0.25));
   BOOST_TEST(
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(rows) {
   solution.converged = false;
   solution.failed_check = "the \"residual\",\nlevel #2";
   computed = program::computed_of(input, {solution});
-  const program::SweepRow bad = program::row_of_solution(plain, input, computed);
+  const program::SweepRow bad = program::row_of_solution(plain(), input, computed);
   BOOST_TEST((text_in(bad, "status") == "not-converged" && in(bad, "exit_status") == 3 && in(bad, "residual") == 3e-4));
   for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm", "Hc_best", "error_Hm_best"})
     BOOST_TEST(std::isnan(in(bad, name)));
@@ -180,7 +181,7 @@ BOOST_AUTO_TEST_CASE(rows) {
           "not-converged,3,full multigrid; start 2,2,20,10,NaN,4,2,NaN,NaN,NaN,NaN,NaN,NaN,NaN,NaN,NaN,3e-04,2e-06,"),
       text);
   BOOST_TEST(text.ends_with(",\"the 'residual', level  2\""), text);
-  const std::string columns = program::csv_names(program::sweep_row(plain));
+  const std::string columns = program::csv_names(program::sweep_row(plain()));
   const std::string clean = program::csv_row(good);
   BOOST_TEST(std::count(columns.begin(), columns.end(), ',') == std::count(clean.begin(), clean.end(), ','));
 }
