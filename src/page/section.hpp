@@ -13,7 +13,7 @@ struct Compared {
   std::string kind{};                ///< "run", "run in time", "sweep", "study"
   std::vector<std::string> cells{};  ///< markup; for a result file: the cells of `compared_columns`
 };
-constexpr const char* compared_columns[] = {"M",     "L",       "load", "u_m", "central film", "smallest film",
+constexpr const char* compared_columns[] = {"M",       "L",       "load", "u_m", "central film", "smallest film",
                                             id::p_max, "friction"};
 
 struct PageSection {

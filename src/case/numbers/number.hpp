@@ -22,11 +22,11 @@ struct Solved {
 };
 using Of = const Solved&;
 
-/// The unit of a number, and the unit where a line contact is told per length.
+/// The unit of a number, and the unit where a line contact is reported per length.
 struct Unit {
   std::string name{};
   std::string per_length{};      ///< empty: the same
-  bool also_of_rollers = false;  ///< also where a roller of finite length is told per length
+  bool also_of_rollers = false;  ///< also where a roller of finite length is reported per length
 
   Unit(const char* name_, const char* per_length_ = "", bool also_of_rollers_ = false)
       : name(name_), per_length(per_length_), also_of_rollers(also_of_rollers_) {}

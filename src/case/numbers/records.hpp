@@ -45,7 +45,7 @@ inline Option sweep_page(OfSweep how) {
 }
 inline const Option not_json{[](Number& of) { of.json = results::not_in_json; }};
 inline const Option not_in_file{[](Number& of) { of.in_file = false; }};
-/// Of the table of a sweep alone.
+/// The number is a column of a sweep and is shown nowhere else.
 inline const Option only_column{[](Number& of) {
   of.json = results::not_in_json;
   of.in_file = false;

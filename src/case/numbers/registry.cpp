@@ -53,7 +53,7 @@ bool exists(bool (*on)(Of), const Number& one, Of s) {
   return one.value && (on == nullptr || on(s)) && (!one.only_if || one.only_if(s));
 }
 
-// True where a case is told per length.
+// True where a case is reported per length.
 bool per_length(const Unit& unit, const Case& input) {
   return unit.also_of_rollers ? contact::line(input.physics.groups.shape) : input.scene.grid.line;
 }
