@@ -179,7 +179,8 @@ int study(const Arguments& arguments) {
   judge(reference, points);
   write_table(path, study_csv(header, reference, points), arguments.has("overwrite"));
   print(study_report(header, reference, points) + "\ntable        " + path + "\n");
-  return std::all_of(points.begin(), points.end(), has_film) ? solved : not_converged;
+  const bool all = std::ranges::all_of(points, [](const StudyPoint& point) { return has_film(point); });
+  return all ? solved : not_converged;
 }
 
 }  // namespace ehl::program

@@ -54,7 +54,7 @@ inline const Option only_column{[](Number& of) {
 template <class... More>
 Number number(const std::string& name, const Unit& unit, const std::string& meaning, More... more) {
   Number made{.name = name, .unit = unit, .meaning = meaning};
-  const auto take = [&](auto& one) {
+  [[maybe_unused]] const auto take = [&](auto& one) {
     if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Option>)
       one.set(made);
     else
