@@ -222,12 +222,12 @@ BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
   const auto narrower = [&] {
     program::SweepTable table(path, header_of({"contact.M=5,20", "contact.L=1,2"}), first(4), false);
   };
-  BOOST_TEST(contains(refusal(narrower), "'vary: contact.L = 1,2,3', this one 'vary: contact.L = 1,2'"));
+  BOOST_TEST(contains(refusal(narrower), "'vary: contact.L = 1,2,3', this sweep has 'vary: contact.L = 1,2'"));
   refused(header_of(vary, "[contact]\n# another text\n"), "deck text");
   refused(header_of(vary, "[lubrict]\n"), "deck text");  // of the same length as the other text
   program::SweepHeader with_set = header_of(vary);
   with_set.set = {"grid.cells=64"};
-  refused(with_set, "this one 'set: grid.cells=64'");
+  refused(with_set, "this sweep has 'set: grid.cells=64'");
   folder.write("t.csv", sorted + "6,1," + row("converged") + "\n");
   refused(header_of(vary), "not a row of the sweep: 6,1");
   folder.write("t.csv", sorted + "5,2,converged,0\n");
