@@ -10,8 +10,6 @@
 #include "mlmi/deformation.hpp"
 #include "unit/mlmi/pressures.hpp"
 
-BOOST_AUTO_TEST_SUITE(test_multilevel)
-
 namespace mlmi = ehl::mlmi;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -32,6 +30,8 @@ long allocations = 0;
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+BOOST_AUTO_TEST_SUITE(test_multilevel)
 
 namespace {
 double relative_error(const Field& w, const Field& truth) {

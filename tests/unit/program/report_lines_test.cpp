@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(columns_of_formulas_stand_apart) {
     program::Physics physics = example_physics();
     if (in_si) {
       physics.si.emplace();
-      physics.si->hertz = {.a = 1e-4, .h_scale = 1.0};
+      physics.si->hertz = {.a = 1e-4, .p_h = 0.0, .approach = 0.0, .h_scale = 1.0, .b = 0.0};
       physics.si->contact.u_s = 1.0;
     }
     std::istringstream lines(program::formula_lines(formulas, physics, 1e-3, 0.05));
