@@ -57,7 +57,7 @@ Effect starvation_effect() {
   return {.name = "starvation",
           .meaning = "Starved lubrication: the surfaces bring a limited amount of oil, and cavitation conserves mass.",
           .stage = Stage::unknowns,
-          .without = "without: fully flooded",
+          .without = "fully flooded",
           .sections = {{.name = "supply", .called_by = starvation::ways()}},
           .keys = starvation::keys,
           .read = supply_input,
