@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(other_files_are_not_touched) {
   BOOST_REQUIRE(support::ehl(folder, "run d.ini --quiet --output t.h5").status == 0);
   const support::Ended ended = support::ehl(folder, vary + "t.csv");
   BOOST_TEST(ended.status == 4);
-  BOOST_TEST(ended.says({"t.h5", "not the stored results of a sweep"}), ended.err);
+  BOOST_TEST(ended.says({"t.h5", "stored results of a sweep", "--output"}), ended.err);
   BOOST_TEST(support::ehl(folder, "extract t.h5 Hc").status == 0);
   const support::Ended no_case = support::ehl(folder, "extract t.h5 Hc --case 0");
   BOOST_TEST(no_case.says({"t.h5", "it has no cases"}), no_case.err);

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(without_a_film_the_reason_is_written) {
   const support::Ended ended = support::ehl(folder, "run d.ini --quiet --output r.h5");
   BOOST_TEST_MESSAGE(ended.err);
   BOOST_TEST(ended.status == 3, ended.err);
-  BOOST_TEST(ended.says({"r.h5 holds"}), ended.err);
+  BOOST_TEST(ended.says({"r.h5 contains"}), ended.err);
   BOOST_TEST(in_summary(folder, "r.h5", "converged") == "0");
   BOOST_TEST(contains(in_summary(folder, "r.h5", "failed_check"), "load continuation"));
   BOOST_TEST(contains(support::ehl(folder, "extract r.h5 deck").out, "max_steps = 1"));

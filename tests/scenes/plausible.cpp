@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_key_can_be_taken_out) {
   BOOST_TEST(check("--set grid.accuracy=0.01").says({"cells are both given", "--unset grid.cells"}));
   BOOST_TEST(contains(check("--unset grid.cells").out, "257 x 321 nodes"));
   BOOST_TEST(check("--set grid.accuracy=0.01 --unset grid.cells").status == 0);
-  BOOST_TEST(check("--unset grid.coarsest").says({"--unset grid.coarsest: the deck does not give this key"}));
+  BOOST_TEST(check("--unset grid.coarsest").says({"--unset grid.coarsest", "the deck does not give this key"}));
   BOOST_TEST(check("--unset grid.cels").says({"did you mean cells?"}));
   BOOST_TEST(check("--unset cells").says({"write section.key"}));
 }
