@@ -176,7 +176,8 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   if (value(conditions.supply.factor, 0.0) != 1.0)
     part.complain("supply", "must be 1 at time 0, because [supply] gives the oil at that time");
   if (least(conditions.supply.factor, end) < 0.0)
-    part.complain(part.given("supply_wave") ? "supply_wave" : "supply", "the supplied oil must not be negative");
+    part.complain(part.given("supply_wave") ? "supply_wave" : "supply",
+                  "the oil that [supply] gives must not be negative");
   const bool from_steady = !body || !body->gap;
   if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
     part.complain(key, "(u1 + u2)/2 must be positive at time 0: otherwise there is no steady film to start from");
