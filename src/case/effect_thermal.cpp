@@ -76,8 +76,8 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   for (const auto& one : all)
     if (kept(input, one.name))
       content.fields.push_back({one.name, "K", std::string("temperature above T_oil: ") + one.meaning, one.field});
-  numbers::append("thermal", {input, computed},
-                  content.summary);  // but mu and its error, where [friction] has added them
+  // Without mu and its error if [friction] has added them.
+  numbers::append("thermal", {input, computed}, content.summary);
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
       {"thermal_warnings", deck::joined(told(thermal_warnings(input, *computed.heat)), "\n"), "", "one per line"});

@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   const Scene scene;
   const support::Ended study = scene.ehl("study d.ini --levels 32:64 --cycles 1V,run");
   BOOST_TEST(study.status == 2);
-  BOOST_TEST(study.says({"--cycles 1V,run", "passes"}), study.err);
+  BOOST_TEST(study.says({"--cycles 1V,run", "use run"}), study.err);
 }
 
 // The accuracy asked for holds against a run with four times the cells.

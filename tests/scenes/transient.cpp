@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   for (const support::Slip& slip : slips)
     support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
   for (const auto& [table, words] : {std::pair{"t [s],load\n0,1\n", "or in seconds with time_unit = seconds"},
-                                     {"t,load [N]\n0,1\n", "over that of [contact]"}}) {
+                                     {"t,load [N]\n0,1\n", "relative to that of [contact]"}}) {
     folder.write("units.csv", table);
     support::check_refused(folder, {table, contact + grid + timed + "load = units.csv\n", {"units.csv:1", words}});
   }
