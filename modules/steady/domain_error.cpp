@@ -21,6 +21,7 @@ double central_film(const Scene& scene) {
   const Start start{.cells = scene.grid.nx, .sweeps = 20, .cycles = 2, .coarsest = fewest_cells};
   Scene only_film = scene;
   only_film.adjoint_errors = false;
+  only_film.observer = {};
   const Solution solution = climb(only_film, start, {});
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }

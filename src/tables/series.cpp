@@ -1,6 +1,5 @@
 #include "tables/series.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -48,13 +47,9 @@ std::vector<std::vector<std::size_t>> curves_by(const SweepData& table, const st
 }
 
 double error_bar(const SweepData& table, std::size_t row, const std::string& y) {
-  // A column in SI may have its error bar in the same unit next to it: h_c_nm and h_c_error_nm.
-  const std::size_t unit = std::min(y.rfind('_'), y.size());
-  if (const std::string bar = y.substr(0, unit) + "_error" + y.substr(unit); table.has(bar))
-    return table.number(row, bar);
-  const numbers::Number* number = numbers::number_of_column(y);
-  const std::string bar = number == nullptr ? "" : number->error;
-  return table.has(bar) ? table.number(row, bar) * std::abs(table.number(row, y)) : 0.0;
+  const numbers::BarColumns bars = numbers::bar_columns(y);
+  if (table.has(bars.in_unit)) return table.number(row, bars.in_unit);
+  return table.has(bars.relative) ? table.number(row, bars.relative) * std::abs(table.number(row, y)) : 0.0;
 }
 
 }  // namespace ehl::program

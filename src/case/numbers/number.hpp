@@ -144,6 +144,13 @@ std::vector<SweepColumn> columns_of_sweep(deck::Deck deck, bool timing);
 
 /// The record of a column of a sweep's table, by the name of the column; nullptr: none has it.
 const Number* number_of_column(const std::string& column);
+/// The columns that hold the error bar of a column: in its own unit, "h_c_error_nm" of "h_c_nm", and relative,
+/// "error_Hc". Empty: there is none.
+struct BarColumns {
+  std::string in_unit{};
+  std::string relative{};
+};
+BarColumns bar_columns(const std::string& column);
 /// The column of a number in the table of contacts in SI: "h_c_nm" of "hc". errors: std::logic_error: it has none.
 std::string column_in_si(const std::string& name);
 

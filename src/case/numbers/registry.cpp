@@ -94,12 +94,11 @@ const Record& record_of(const std::string& name) {
 }
 
 // "h_c_nm"; a load is in N or in N/m.
-std::string name_in_si(const Number& one, const std::string& unit) {
-  return one.in_si.symbol + "_" + unit_in_names(unit);
+std::string name_in_si(const std::string& symbol, const std::string& unit) {
+  return symbol + "_" + unit_in_names(unit);
 }
-std::string name_in_si(const Number& one) {
-  return name_in_si(one, one.in_si.unit.empty() ? one.unit.name : one.in_si.unit);
-}
+const std::string& unit_in_si(const Number& one) { return one.in_si.unit.empty() ? one.unit.name : one.in_si.unit; }
+std::string name_in_si(const Number& one) { return name_in_si(one.in_si.symbol, unit_in_si(one)); }
 
 // The value in another unit; the blank where a case has no such number.
 std::function<Value(Of)> cell_of(const Group& in, const Number& one, const Conversion& to) {
@@ -117,7 +116,7 @@ void add_columns(const Group& in, bool si, bool line, std::vector<SweepColumn>& 
           {one.name, own, one.meaning, one.column.place, one.column.blank, in.known, cell_of(in, one, {})});
     if (one.in_si.place == 0 || !si) continue;
     const std::string unit = one.in_si.unit.empty() ? own : one.in_si.unit;
-    columns.push_back({name_in_si(one, unit), unit, one.meaning, one.in_si.place, core::unknown, in.known,
+    columns.push_back({name_in_si(one.in_si.symbol, unit), unit, one.meaning, one.in_si.place, core::unknown, in.known,
                        cell_of(in, one, conversion(own, unit))});
   }
 }
@@ -226,11 +225,24 @@ std::vector<SweepColumn> columns_of_sweep(deck::Deck deck, bool timing) {
 }
 
 const Number* number_of_column(const std::string& column) {
-  for (const Group& in : registry())
-    for (const Number& one : in.numbers)
-      if ((one.column.place > 0 && one.name == column) || (one.in_si.place > 0 && name_in_si(one) == column))
-        return &one;
-  return nullptr;
+  static const std::map<std::string, const Number*> all = [] {
+    std::map<std::string, const Number*> made;
+    for (const Group& in : registry())
+      for (const Number& one : in.numbers) {
+        if (one.column.place > 0) made.try_emplace(one.name, &one);
+        if (one.in_si.place > 0) made.try_emplace(name_in_si(one), &one);
+      }
+    return made;
+  }();
+  const auto found = all.find(column);
+  return found == all.end() ? nullptr : found->second;
+}
+
+BarColumns bar_columns(const std::string& column) {
+  const Number* of = number_of_column(column);
+  if (of == nullptr || of->error.empty()) return {};
+  const bool si = of->in_si.place > 0 && name_in_si(*of) == column;
+  return {si ? name_in_si(of->in_si.symbol + "_error", unit_in_si(*of)) : "", of->error};
 }
 
 std::string column_in_si(const std::string& name) { return name_in_si(number_of(name)); }
