@@ -154,8 +154,9 @@ int sweep(const Arguments& arguments) {
   };
   header.files = files_of_cases(deck, header.set, header.variations);
   header.timing = arguments.has("timing");
-  header.columns = columns_of_sweep(deck, overrides_of(0), header.timing);
-  header.left_out = left_out(deck, overrides_of(0));
+  const deck::Deck of_first_case = deck::read(deck, overrides_of(0), catalogue());
+  header.columns = numbers::columns_of_sweep(of_first_case, header.timing);
+  header.left_out = left_out(of_first_case);
   header.shard = shard;
   const int at_once = header.at_once = requested_threads(arguments);
   const std::string path = name_of_shard(table_name(arguments), shard);

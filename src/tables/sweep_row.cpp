@@ -8,7 +8,6 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
-#include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "case/roller_report.hpp"
 #include "case/thermal_report.hpp"
@@ -77,18 +76,13 @@ SweepRow solved_row(const SweepHeader& sweep, const std::vector<std::string>& ov
 
 }  // namespace
 
-SweepColumns columns_of_sweep(const std::string& path, const std::vector<std::string>& overrides, bool timing) {
-  return numbers::columns_of_sweep(deck::read(path, overrides, catalogue()), timing);
-}
-
 SweepRow sweep_row(const SweepColumns& columns) {
   SweepRow row;
   for (const numbers::SweepColumn& one : columns) row.push_back({one.name, one.blank, one.unit, one.meaning});
   return row;
 }
 
-std::vector<std::string> left_out(const std::string& path, const std::vector<std::string>& overrides) {
-  const deck::Deck deck = deck::read(path, overrides, catalogue());
+std::vector<std::string> left_out(const deck::Deck& deck) {
   std::vector<std::string> lines;
   if (deck::called_for(deck, "transient"))
     lines.push_back("[transient]: no run in time is made; a row is the steady contact that `ehl run` would start from");

@@ -18,12 +18,8 @@ struct SweepHeader;
 using SweepRow = std::vector<results::Quantity>;
 using SweepColumns = std::vector<numbers::SweepColumn>;
 
-/// The columns of a sweep of a deck with these overrides. in: timing: with seconds and memory, which differ from run to
-/// run.
-SweepColumns columns_of_sweep(const std::string& path, const std::vector<std::string>& overrides, bool timing);
-
-/// The settings of the deck that a row does not report, one line each.
-std::vector<std::string> left_out(const std::string& path, const std::vector<std::string>& overrides);
+/// The settings of a deck that a row does not report, one line each.
+std::vector<std::string> left_out(const deck::Deck& deck);
 
 /// An empty row, with the names and units of the table.
 SweepRow sweep_row(const SweepColumns& columns);
