@@ -8,12 +8,12 @@ limiting stress. Points and ellipses on 128 and 256 cells, lines on 128, 256, 51
 as a deck has them by default.
 """
 
-import json
 import math
 import pathlib
 import random
-import subprocess
 import sys
+
+import kept_runs
 
 GRIDS = {"point": (128, 256), "ellipse": (128, 256), "line": (128, 256, 512, 1024)}
 LAWS = ("", "law = eyring\ntau_0 = {stress}", "law = carreau\nG = {stress}\nn = {n}")
@@ -54,14 +54,9 @@ cavitated = striated
 
 
 def solved(program, folder, name, cells):
+    output = folder / f"out{seed_of(name)}.h5"
     result = folder / f"{name}_{cells}.json"
-    if not result.exists():
-        command = [program, "run", folder / f"{name}.ini", "--set", f"grid.cells={cells}", "--json", "--quiet"]
-        command += ["--overwrite", "--threads", "1", "--output", folder / f"out{seed_of(name)}.h5"]
-        run = subprocess.run(command, capture_output=True, text=True)
-        result.write_text(run.stdout or "{}")
-        (folder / f"{name}_{cells}.err").write_text(run.stderr)
-    return json.loads(result.read_text())
+    return kept_runs.solved(program, folder / f"{name}.ini", result, f"grid.cells={cells}", output=output)
 
 
 def seed_of(name):

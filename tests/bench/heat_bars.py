@@ -7,12 +7,12 @@ Solves what FOLDER does not hold yet; one line per value. 0.5 to 1.6 GPa, 0.7 to
 directions, discretization and domain as a deck has them by default.
 """
 
-import json
 import math
 import pathlib
 import random
-import subprocess
 import sys
+
+import kept_runs
 
 E_PRIME = 226e9
 HEAT = ("mu", "T_film_max", "T1_max", "T2_max")
@@ -58,11 +58,7 @@ solid2 = {random.choice(["steel", "steel", "bk7"])}
 
 def solved(program, folder, name, cells):
     result = folder / f"{name}_{cells}.json"
-    if not result.exists():
-        command = [program, "run", folder / f"{name}.ini", "--set", f"grid.cells={cells}", "--json", "--quiet"]
-        command += ["--overwrite", "--threads", "1", "--output", folder / "out.h5"]
-        result.write_text(subprocess.run(command, capture_output=True, text=True).stdout or "{}")
-    return json.loads(result.read_text())
+    return kept_runs.solved(program, folder / f"{name}.ini", result, f"grid.cells={cells}")
 
 
 def with_bars(kind, now, fine):

@@ -6,11 +6,12 @@ Solves what FOLDER does not hold yet; one line per load and grid. The reference 
 two meshes on a domain of twice the length and width: the mesh size of 512 cells on the default domain and half of it.
 """
 
-import json
 import pathlib
 import re
 import subprocess
 import sys
+
+import kept_runs
 
 LOADS = ((5, 5), (50, 10), (1000, 10))
 CELLS = (128, 256, 512)
@@ -29,15 +30,9 @@ density = dowson-higginson
 def solved(program, folder, M, L, cells, domain=()):
     deck = folder / f"{M}_{L}.ini"
     deck.write_text(DECK.format(M=M, L=L))
-    name = folder / f"{M}_{L}_{cells}{'_twice' if domain else ''}"
-    result = name.with_suffix(".json")
-    if not result.exists():
-        command = [program, "run", deck, "--json", "--quiet", "--overwrite", "--threads", "1"]
-        command += ["--output", name.with_suffix(".h5"), "--set", f"grid.cells={cells}", "--set", "output.fields=P"]
-        for setting in domain:
-            command += ["--set", setting]
-        result.write_text(subprocess.run(command, capture_output=True, text=True).stdout or "{}")
-    return json.loads(result.read_text())
+    result = folder / f"{M}_{L}_{cells}{'_twice' if domain else ''}.json"
+    settings = [f"grid.cells={cells}", "output.fields=P", *domain]
+    return kept_runs.solved(program, deck, result, *settings, output=result.with_suffix(".h5"))
 
 
 def twice_as_long(program, file):

@@ -6,10 +6,10 @@ Solves what FOLDER does not hold yet; one line per value: M = 1 to 2000, L = 0 t
 discretization and domain as a deck has them by default.
 """
 
-import json
 import pathlib
-import subprocess
 import sys
+
+import kept_runs
 
 LOADS = [(M, L) for M in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000) for L in (0, 2, 5, 10, 15, 20, 25)]
 CELLS = (128, 256, 512, 1024)
@@ -28,17 +28,9 @@ density = dowson-higginson
 
 
 def solved(program, folder, M, L, cells):
-    name = f"{M}_{L}"
-    deck = folder / f"{name}.ini"
+    deck = folder / f"{M}_{L}.ini"
     deck.write_text(DECK.format(M=M, L=L))
-    result = folder / f"{name}_{cells}.json"
-    if not result.exists():
-        command = [program, "run", deck, "--set", f"grid.cells={cells}", "--json", "--quiet", "--overwrite"]
-        command += ["--threads", "1", "--output", folder / "out.h5"]
-        run = subprocess.run(command, capture_output=True, text=True)
-        result.write_text(run.stdout or "{}")
-        result.with_suffix(".err").write_text(run.stderr)
-    return json.loads(result.read_text())
+    return kept_runs.solved(program, deck, folder / f"{M}_{L}_{cells}.json", f"grid.cells={cells}")
 
 
 def main(program, folder):

@@ -6,11 +6,11 @@ M 5 to 500, L 2 to 18, supply .2 to 1.8 of what the flooded film carries; discre
 by default. The truth of 128 and 256 cells is extrapolated from 512 and 1024; 512 is asked for the change to 1024.
 """
 
-import json
 import pathlib
 import random
-import subprocess
 import sys
+
+import kept_runs
 
 CELLS = (128, 256, 512, 1024)
 VALUES = ("Hc", "Hm_fitted")
@@ -33,13 +33,8 @@ def drawn(seed, number):
 
 
 def solved(program, folder, name, *settings):
-    result = folder / f"{name}.json"
-    if not result.exists():
-        command = [program, "run", folder / (name.split("_")[0] + ".ini"), "--json", "--quiet", "--overwrite"]
-        command += ["--threads", "1", "--output", folder / "out.h5"]
-        command += [word for setting in settings for word in ("--set", setting)]
-        result.write_text(subprocess.run(command, capture_output=True, text=True).stdout or "{}")
-    return json.loads(result.read_text())
+    deck = folder / (name.split("_")[0] + ".ini")
+    return kept_runs.solved(program, deck, folder / f"{name}.json", *settings)
 
 
 def supply_of(program, folder, name, share):
