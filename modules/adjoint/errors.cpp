@@ -22,14 +22,14 @@ constexpr double tolerance = 1e-2;
 struct Values {
   double Hc, Hm;
 };
-Values values_of(const fmg::Level& level) {
+Values values_of(const multigrid::Level& level) {
   const core::Location least = core::minimum(level.H);
   return {judgement::value_at(level.grid, level.H, 0.0, 0.0),
           judgement::fitted_minimum(level.grid, level.H, least.i, least.j).value};
 }
 
 /// Two grids below the finest, or three; the coarsest if there are few grids.
-std::size_t level_of_weights(const fmg::Hierarchy& hierarchy) {
+std::size_t level_of_weights(const multigrid::Hierarchy& hierarchy) {
   const std::size_t finest = hierarchy.levels.size() - 1;
   if (finest < 3) return 0;
   const core::Patch& grid = hierarchy.levels[finest - 2].grid;
@@ -37,7 +37,8 @@ std::size_t level_of_weights(const fmg::Hierarchy& hierarchy) {
 }
 
 /// Transfers the adjoint solution to a finer grid by bilinear interpolation of its values per unit area.
-core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::size_t to, const core::Field& weights) {
+core::Field on_finer(const multigrid::Hierarchy& hierarchy, std::size_t from, std::size_t to,
+                     const core::Field& weights) {
   const auto scaled = [&](std::size_t l, double power, core::Field field) {
     const core::Patch& grid = hierarchy.levels[l].grid;
     for (int i = 0; i <= grid.nx; ++i)
@@ -55,7 +56,7 @@ core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::siz
 }
 
 /// -(poiseuille/3 + wedge/7) per area, relative to the value: positive where the number is too large.
-core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& P, const core::Field& weights,
+core::Field density(const multigrid::Hierarchy& hierarchy, const core::Field& P, const core::Field& weights,
                     const Truncation& parts, double value) {
   const std::size_t finest = hierarchy.levels.size() - 1;
   const core::Patch& grid = hierarchy.levels[finest - 1].grid;
@@ -74,13 +75,13 @@ core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& P, const
 /// the lines of rupture as straight, although H00 bends them. The relative error of the pressure is the size of these
 /// two terms relative to the rigid gap, taken as round. [bench: share_of_H00]
 constexpr double share_of_H00 = 0.125;
-double domain_error(const fmg::Hierarchy& hierarchy, const fmg::Level& level, const Weights& weights) {
-  const fmg::Problem& problem = hierarchy.problem;
+double domain_error(const multigrid::Hierarchy& hierarchy, const multigrid::Level& level, const Weights& weights) {
+  const multigrid::Problem& problem = hierarchy.problem;
   if (!problem.far_field) return 0.0;
   const bool line = level.grid.domain.line;
   const double round = line ? problem.geometry.gap.XX : 0.5 * (problem.geometry.gap.XX + problem.geometry.gap.YY);
   const double deformation = problem.geometry.elastic * problem.load.value_or(0.0);
-  const std::vector<fmg::BoundaryNode> nodes = fmg::nodes_of_boundary(level.grid);
+  const std::vector<multigrid::BoundaryNode> nodes = multigrid::nodes_of_boundary(level.grid);
   double sum = 0.0;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto [i, j, share] = nodes[k];
@@ -107,17 +108,17 @@ Sum sum_over_wet(const core::Patch& grid, const core::Field& P, const core::Fiel
 
 }  // namespace
 
-std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps) {
+std::optional<Errors> errors(multigrid::Hierarchy& hierarchy, bool maps) {
   const double began = core::now();
   const std::size_t finest = hierarchy.levels.size() - 1;
   if (finest == 0) return std::nullopt;
   const core::EnclosingTimer timer(hierarchy.times, core::Part::errors);
   const std::size_t coarse = level_of_weights(hierarchy);
-  const fmg::Level& fine = hierarchy.levels[finest];
-  const fmg::Level& beside = hierarchy.levels[finest - 1];
-  const fmg::Level& level = hierarchy.levels[coarse];
+  const multigrid::Level& fine = hierarchy.levels[finest];
+  const multigrid::Level& beside = hierarchy.levels[finest - 1];
+  const multigrid::Level& level = hierarchy.levels[coarse];
   const Values values = values_of(fine);
-  const double load_left = fmg::carried_load(fine) - fine.load;
+  const double load_left = multigrid::carried_load(fine) - fine.load;
   const Truncation parts = truncation(hierarchy, finest - 1, finest);
   const Values beside_values = values_of(beside);
   const core::Field beside_P = beside.P;
@@ -125,8 +126,8 @@ std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps) {
   Adjoint adjoint(hierarchy, coarse);
   Errors result;
   result.cells = level.grid.nx;
-  const auto foretold = [&](const Number& number, double value, double there,
-                            core::Field& map) -> std::optional<Foretold> {
+  const auto predicted = [&](const Number& number, double value, double there,
+                             core::Field& map) -> std::optional<PredictedChange> {
     const std::optional<Weights> weights = adjoint.weights(number, tolerance);
     if (!weights) return std::nullopt;
     const core::Field on_beside = on_finer(hierarchy, coarse, finest - 1, weights->residual);
@@ -134,17 +135,17 @@ std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps) {
     const auto of = [&](const core::Field& r) { return sum_over_wet(beside.grid, beside_P, on_beside, r).plain; };
     if (maps) map = density(hierarchy, beside_P, on_beside, parts, value);
     const Sum left = sum_over_wet(fine.grid, fine.P, on_fine, fine.r);
-    return Foretold{.poiseuille = of(parts.poiseuille) / value,
-                    .wedge = of(parts.wedge) / value,
-                    .film = (of(parts.film) + weights->load * parts.load + value - there) / value,
-                    .left = (left.plain + weights->load * load_left) / value,
-                    .scattered = left.absolute / value,
-                    .domain = domain_error(hierarchy, level, *weights) / value};
+    return PredictedChange{.poiseuille = of(parts.poiseuille) / value,
+                           .wedge = of(parts.wedge) / value,
+                           .film = (of(parts.film) + weights->load * parts.load + value - there) / value,
+                           .left = (left.plain + weights->load * load_left) / value,
+                           .scattered = left.absolute / value,
+                           .domain = domain_error(hierarchy, level, *weights) / value};
   };
   const core::Location least = core::minimum(level.H);
-  const auto Hc = foretold(judgement::weights_at(level.grid, 0.0, 0.0), values.Hc, beside_values.Hc, result.map_Hc);
-  const auto Hm = foretold(judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j), values.Hm,
-                           beside_values.Hm, result.map_Hm);
+  const auto Hc = predicted(judgement::weights_at(level.grid, 0.0, 0.0), values.Hc, beside_values.Hc, result.map_Hc);
+  const auto Hm = predicted(judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j), values.Hm,
+                            beside_values.Hm, result.map_Hm);
   if (!Hc || !Hm) return std::nullopt;
   result.Hc = *Hc;
   result.Hm = *Hm;

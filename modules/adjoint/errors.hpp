@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 
 namespace ehl::adjoint {
 
 /// Predicted changes of one number, relative to it.
-struct Foretold {
+struct PredictedChange {
   // Change from the grid of half as many cells to this one, by the terms that cause it (truncation.hpp).
   double poiseuille = 0.0;
   double wedge = 0.0;
@@ -21,8 +21,8 @@ struct Foretold {
 };
 
 struct Errors {
-  Foretold Hc, Hm;  ///< Hm: the fitted minimum
-  int cells = 0;    ///< cells along x of the grid of the adjoint solution
+  PredictedChange Hc, Hm;  ///< Hm: the fitted minimum
+  int cells = 0;           ///< cells along x of the grid of the adjoint solution
   /// Maps of where the error arises: the contribution of the pressure terms and the wedge to the number, relative and
   /// per unit area, each extrapolated by its order. On the finest grid's domain; empty if not requested. The
   /// contribution of the deformation acts through H00 and has no place.
@@ -34,6 +34,6 @@ struct Errors {
 /// mesh size, or eight times if that grid has many nodes. [bench: many_nodes]
 /// out: none with a single grid, or if the adjoint system is not solved. The finest level and H00 are unchanged; the
 /// states of the coarser levels are overwritten.
-std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps = false);
+std::optional<Errors> errors(multigrid::Hierarchy& hierarchy, bool maps = false);
 
 }  // namespace ehl::adjoint

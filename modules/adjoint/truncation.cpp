@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "fmg/start.hpp"
+#include "multigrid/start.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::adjoint {
 namespace {
 
-double wedge_at(const fmg::Hierarchy& hierarchy, const fmg::Level& level, int i, int j) {
-  const reynolds::Transport transport = fmg::transport_on(hierarchy, level);
+double wedge_at(const multigrid::Hierarchy& hierarchy, const multigrid::Level& level, int i, int j) {
+  const reynolds::Transport transport = multigrid::transport_on(hierarchy, level);
   const core::Field& theta = level.third_order;
   const reynolds::ThirdOrder<double> around =
       theta.nodes_x() > 0 ? reynolds::ThirdOrder<double>{theta(i - 1, j), theta(i, j)} : reynolds::ThirdOrder<double>{};
@@ -21,9 +21,9 @@ double wedge_at(const fmg::Hierarchy& hierarchy, const fmg::Level& level, int i,
 
 }  // namespace
 
-Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t fine) {
-  fmg::Level& level = hierarchy.levels[coarse];
-  fmg::Level& finer = hierarchy.levels[fine];
+Truncation truncation(multigrid::Hierarchy& hierarchy, std::size_t coarse, std::size_t fine) {
+  multigrid::Level& level = hierarchy.levels[coarse];
+  multigrid::Level& finer = hierarchy.levels[fine];
   const core::Patch& grid = level.grid;
   const int step = 1 << (fine - coarse);
   const auto injected = [&](const core::Field& field) {
@@ -32,16 +32,17 @@ Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t
       for (int j = 0; j <= grid.ny; ++j) at(i, j) = field(i * step, grid.finer_line(j, step));
     return at;
   };
-  fmg::update_residual(hierarchy, finer);
-  fmg::start_from_state(hierarchy, coarse, {injected(finer.P), hierarchy.H00});
-  Truncation parts{core::Field(grid), core::Field(grid), core::Field(grid), fmg::carried_load(level) - level.load};
-  fmg::update_film(hierarchy, level);
-  fmg::update_residual(hierarchy, level);
+  multigrid::update_residual(hierarchy, finer);
+  multigrid::start_from_state(hierarchy, coarse, {injected(finer.P), hierarchy.H00});
+  Truncation parts{core::Field(grid), core::Field(grid), core::Field(grid),
+                   multigrid::carried_load(level) - level.load};
+  multigrid::update_film(hierarchy, level);
+  multigrid::update_residual(hierarchy, level);
   const core::Field own_r = level.r;
   const core::Field own_film = level.H;
   level.H = injected(finer.H);
-  fmg::update_coefficients(hierarchy, level);
-  fmg::update_residual(hierarchy, level);
+  multigrid::update_coefficients(hierarchy, level);
+  multigrid::update_residual(hierarchy, level);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
       const int finer_j = grid.finer_line(j, step);
@@ -54,7 +55,7 @@ Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t
       parts.poiseuille(i, j) = level.r(i, j) - finer.r(i * step, finer_j) - parts.wedge(i, j);
     }
   level.H = own_film;
-  fmg::update_coefficients(hierarchy, level);
+  multigrid::update_coefficients(hierarchy, level);
   level.r = own_r;
   return parts;
 }

@@ -2,7 +2,7 @@
 // Truncation error: the residual of a grid's solution in the equations of a coarser grid.
 #include <cstddef>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 
 namespace ehl::adjoint {
 
@@ -17,6 +17,6 @@ struct Truncation {
 
 /// Computes the truncation error. in: levels[fine] solved, with its film; coarse < fine. out: levels[coarse] becomes
 /// the level being solved, in the state of levels[fine] at its nodes, with its own film.
-Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t fine);
+Truncation truncation(multigrid::Hierarchy& hierarchy, std::size_t coarse, std::size_t fine);
 
 }  // namespace ehl::adjoint

@@ -12,7 +12,7 @@ double value_of(const Number& number, const core::Field& film) {
   return value;
 }
 
-Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
+Adjoint::Adjoint(multigrid::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
       equations_(hierarchy, l),
@@ -34,8 +34,8 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
   by_P_ = newton::slopes(equations_, newton::By::pressure);
   by_H_ = newton::slopes(equations_, newton::By::film);
   if (hierarchy.problem.far_field) {
-    boundary_ = fmg::nodes_of_boundary(level_.grid);
-    far_ = fmg::far_slopes(hierarchy, level_);
+    boundary_ = multigrid::nodes_of_boundary(level_.grid);
+    far_ = multigrid::far_slopes(hierarchy, level_);
   }
   factored_ = preconditioner_.factor(by_P_, by_H_);
 }

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "fmg/boundary.hpp"
-#include "fmg/hierarchy.hpp"
 #include "judgement/fitted_minimum.hpp"
+#include "multigrid/boundary.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "newton/equations.hpp"
 #include "newton/preconditioner.hpp"
 #include "newton/slopes.hpp"
@@ -26,7 +26,7 @@ struct Weights {
   core::Field residual;  ///< at nodes that have P > 0 in the predicted solution; else zero
   core::Field pressure;  ///< at nodes that have P = 0 there; else zero
   double load = 0.0;
-  std::vector<double> boundary;  ///< in the order of fmg::nodes_of_boundary; empty without a far field
+  std::vector<double> boundary;  ///< in the order of multigrid::nodes_of_boundary; empty without a far field
 };
 /// The sum of the first three terms. in: r, P and carried - prescribed load of the state.
 double left_over(const Weights& weights, const core::Field& r, const core::Field& P, double load);
@@ -35,10 +35,10 @@ double left_over(const Weights& weights, const core::Field& r, const core::Field
 /// gives the adjoint solution of one number.
 class Adjoint {
  public:
-  /// in: levels[l] as the level being solved (fmg::start_from_state), with its residual. If its state is not the
+  /// in: levels[l] as the level being solved (multigrid::start_from_state), with its residual. If its state is not the
   /// solution the adjoint solution has an error of first order in the difference. cost: 17 evaluations of the equations
   /// without the deformation, and a sparse LU.
-  Adjoint(fmg::Hierarchy& hierarchy, std::size_t l);
+  Adjoint(multigrid::Hierarchy& hierarchy, std::size_t l);
 
   /// The adjoint solution to a relative tolerance, by GMRES; none if the tolerance is not reached. K is taken as
   /// symmetric, which holds up to the accuracy of its evaluation. cost: one deformation per iteration.
@@ -50,13 +50,13 @@ class Adjoint {
   void deform(core::Field& v);
   void product(std::span<const double> x, std::span<double> y);
 
-  fmg::Hierarchy& hierarchy_;
-  fmg::Level& level_;
+  multigrid::Hierarchy& hierarchy_;
+  multigrid::Level& level_;
   newton::Equations equations_;
   newton::Preconditioner preconditioner_;
   newton::Slopes by_P_, by_H_;
-  std::vector<fmg::BoundaryNode> boundary_;
-  fmg::FarSlopes far_;
+  std::vector<multigrid::BoundaryNode> boundary_;
+  multigrid::FarSlopes far_;
   core::Field on_P_, on_H_, deformed_;
   bool factored_ = false;
   int iterations_ = 0;

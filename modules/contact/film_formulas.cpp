@@ -27,7 +27,7 @@ Frame frame_of(const Groups& groups) {
 
 bool along_smaller_radius(const Ellipse& shape) {
   const core::QuadraticForm H = gap(shape);
-  return !H.aslant() && H.YY <= H.XX;
+  return !H.oblique() && H.YY <= H.XX;
 }
 
 bool near_chittenden(const Ellipse& shape) {

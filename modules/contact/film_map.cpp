@@ -41,7 +41,7 @@ double beyond_rigid(const Asymptotes& H, double L) {
 }  // namespace
 
 std::optional<MappedFilm> film_map(double M, double L_star, const Ellipse& shape) {
-  if (line(shape) || roller(shape) || gap(shape).aslant()) return std::nullopt;
+  if (line(shape) || roller(shape) || gap(shape).oblique()) return std::nullopt;
   const AlongEntrainment at = along_entrainment(shape, M, L_star);
   const auto within = [](double value, double least, double most) {
     return value >= least * (1.0 - rounding) && value <= most * (1.0 + rounding);

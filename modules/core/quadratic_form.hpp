@@ -7,11 +7,11 @@ struct QuadraticForm {
   double XY;
   double YY;
 
-  bool round() const { return !aslant() && XX == YY; }
-  bool aslant() const { return XY != 0.0; }
+  bool round() const { return !oblique() && XX == YY; }
+  bool oblique() const { return XY != 0.0; }
   double at(double X, double Y) const { return XX * X * X + (XY * X + YY * Y) * Y; }
   /// Minimum on the line X = 1: a region inside a contour reaches sqrt(contour/least_along_X()) along X.
-  double least_along_X() const { return aslant() ? XX - 0.25 * XY * XY / YY : XX; }
+  double least_along_X() const { return oblique() ? XX - 0.25 * XY * XY / YY : XX; }
 };
 
 }  // namespace ehl::core

@@ -88,7 +88,7 @@ bool settled(int cycle, const Measures& before, const Measures& now) {
 
 }  // namespace
 
-double foretold_error(const LastCycle& cycle, double Measures::*value) {
+double predicted_error(const LastCycle& cycle, double Measures::*value) {
   const double best = cycle.first ? best_factor_at_first : best_factor;
   const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, worst_factor);
   const double after = cycle.after.*value;
@@ -97,8 +97,8 @@ double foretold_error(const LastCycle& cycle, double Measures::*value) {
 
 std::string unmet_film(const LastCycle& cycle) {
   std::string unmet = impossible(cycle.after);
-  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &Measures::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &Measures::Hm), cycle.error_Hm);
+  if (unmet.empty()) unmet = unmet_share("Hc", predicted_error(cycle, &Measures::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", predicted_error(cycle, &Measures::Hm), cycle.error_Hm);
   return unmet;
 }
 

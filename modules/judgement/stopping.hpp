@@ -25,7 +25,7 @@ struct LastCycle {
 /// Estimated algebraic error of Hc or Hm, relative: the last cycle's change times q/(1 - q). q is the convergence
 /// factor of that cycle, limited to [0.25, 0.9].
 /// A first cycle counts with at least q = 0.5. in: value = &Measures::Hc or &Measures::Hm.
-double foretold_error(const LastCycle& cycle, double Measures::*value);
+double predicted_error(const LastCycle& cycle, double Measures::*value);
 
 /// The first check that the state fails, as a sentence with numbers and a remedy; empty if it passes all.
 ///   Film positive and P >= 0 everywhere.

@@ -6,7 +6,7 @@
 
 namespace ehl::newton {
 
-void ContentRows::make(const fmg::Level& level, const reynolds::Transport& transport) {
+void ContentRows::make(const multigrid::Level& level, const reynolds::Transport& transport) {
   const core::Patch& grid = level.grid;
   stride_ = static_cast<std::size_t>(grid.nodes_y());
   rows_.resize(static_cast<std::size_t>(grid.nodes_x()) * stride_);
@@ -22,7 +22,7 @@ void ContentRows::make(const fmg::Level& level, const reynolds::Transport& trans
       rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)] = {
           march.weights(), march.weights_behind(), march.third_order_share(), level.content(i, j) < own,
           march.behind_dry()};
-      march.go_on_with(own, level.content(i, j), r, level.swings(i, j) > 0.0);
+      march.go_on_with(own, level.content(i, j), r, level.chatters(i, j) > 0.0);
     }
   }
 }

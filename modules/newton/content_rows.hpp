@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -22,7 +22,7 @@ struct ContentRow {
 /// The rows of a level for the oil content after its last residual evaluation.
 class ContentRows {
  public:
-  void make(const fmg::Level& level, const reynolds::Transport& transport);
+  void make(const multigrid::Level& level, const reynolds::Transport& transport);
   const ContentRow& at(int i, int j) const {
     return rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)];
   }
@@ -30,7 +30,7 @@ class ContentRows {
   /// Computes the change dr of the residual at all nodes. in: changes of rho_bar H and, with upstream3, of theta, else
   /// empty; d_inflow(i, j), the change of the inflow by pressure. out: take(i, j, dr).
   template <class Inflow, class Take>
-  void change(const fmg::Level& level, double per_step, const core::Field& dq, const core::Field& dtheta,
+  void change(const multigrid::Level& level, double per_step, const core::Field& dq, const core::Field& dtheta,
               Inflow d_inflow, Take take) const {
     const auto q = [&](int i, int j) { return level.rho_bar(i, j) * level.H(i, j); };
     for (int j = 1; j <= level.grid.last_line(); ++j) {

@@ -9,7 +9,7 @@
 
 namespace ehl::newton {
 
-Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
+Equations::Equations(multigrid::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
       nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.last_line())),
@@ -35,7 +35,7 @@ void Equations::make_scale() {
   const core::Patch& grid = level_.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps = level_.eps;
-  const core::Field& eps_across = fmg::eps_across(level_);
+  const core::Field& eps_across = multigrid::eps_across(level_);
   for (int i = 1; i < grid.nx; ++i) {
     const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
@@ -47,7 +47,7 @@ void Equations::make_scale() {
 }
 
 void Equations::unknowns(std::span<double> u) {
-  fmg::update_residual(hierarchy_, level_);
+  multigrid::update_residual(hierarchy_, level_);
   make_scale();
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) {
@@ -63,18 +63,18 @@ void Equations::set_state(std::span<const double> u) {
     for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
   core::fill_ghosts(grid(), level_.P);
   hierarchy_.H00 = u[nodes_];
-  fmg::update_film(hierarchy_, level_);
+  multigrid::update_film(hierarchy_, level_);
 }
 
 void Equations::residual(std::span<const double> u, std::span<double> F) {
   set_state(u);
-  fmg::update_residual(hierarchy_, level_);
+  multigrid::update_residual(hierarchy_, level_);
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) {
       const std::size_t k = index(i, j);
       F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
     }
-  F[nodes_] = (fmg::carried_load(level_) - fmg::wanted_load(hierarchy_, level_)) / level_.load;
+  F[nodes_] = (multigrid::carried_load(level_) - multigrid::wanted_load(hierarchy_, level_)) / level_.load;
 }
 
 void Equations::linearize(std::span<const double> u) {
@@ -107,13 +107,13 @@ void Equations::linearize(std::span<const double> u) {
   }
   if (at_half_points()) linearize_half_points();
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
-  if (fmg::conserves_mass(level_)) content_rows_.make(level_, transport());
+  if (multigrid::conserves_mass(level_)) content_rows_.make(level_, transport());
 }
 
 template <class At>
 double Equations::half_point_change(bool along_x, int i, int j, At at) const {
   const core::Patch& grid = level_.grid;
-  const fmg::OilFields& oil = level_.oil;
+  const multigrid::OilFields& oil = level_.oil;
   const bool thinned = !along_x && anisotropic();
   const core::Field& fluidity = thinned ? oil.fluidity_across : oil.fluidity;
   const core::Field& log_viscosity = thinned ? oil.log_viscosity_across : oil.log_viscosity;
@@ -149,7 +149,7 @@ double Equations::half_point_change(bool along_x, int i, int j, At at) const {
       change.H[m] = film::beyond_boundary(da, db, dc);
     }
   }
-  return film::epsilon_change(here, change, fmg::between(hierarchy_.problem));
+  return film::epsilon_change(here, change, multigrid::between(hierarchy_.problem));
 }
 
 void Equations::linearize_half_points() {
@@ -221,8 +221,8 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
   const reynolds::Transport transport = this->transport();
   const auto q = [this](int i, int j) { return level_.rho_bar(i, j) * level_.H(i, j); };
   const core::Field& eps = level_.eps;
-  const core::Field& eps_across = fmg::eps_across(level_);
-  if (fmg::conserves_mass(level_)) {
+  const core::Field& eps_across = multigrid::eps_across(level_);
+  if (multigrid::conserves_mass(level_)) {
     const auto d_inflow = [&](int i, int j) {
       return reynolds::poiseuille_at(reynolds::faces_at(face(), eps, eps_across, i, j, half), dP, i, j) +
              reynolds::poiseuille_at(reynolds::faces_at(face(), deps, deps_across, i, j, half), P, i, j);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "newton/content_rows.hpp"
 #include "reynolds/flux.hpp"
 
@@ -22,10 +22,10 @@ namespace ehl::newton {
 class Equations {
  public:
   /// Uses levels[l] as it is: the unknowns come from its P and from H00. limits: a given load; cavitation.
-  Equations(fmg::Hierarchy& hierarchy, std::size_t l);
+  Equations(multigrid::Hierarchy& hierarchy, std::size_t l);
 
   std::size_t size() const { return nodes_ + 1; }
-  const fmg::Level& level() const { return level_; }
+  const multigrid::Level& level() const { return level_; }
   const core::Patch& grid() const { return level_.grid; }
   /// Index of node (i, j) in u and F, 1 <= i < nx, 1 <= j <= last_line.
   std::size_t index(int i, int j) const {
@@ -73,14 +73,14 @@ class Equations {
                                : reynolds::ThirdOrder<double>{};
   }
   /// The rows of the mass conserving model; nullptr with another model.
-  const ContentRows* content_rows() const { return fmg::conserves_mass(level_) ? &content_rows_ : nullptr; }
+  const ContentRows* content_rows() const { return multigrid::conserves_mass(level_) ? &content_rows_ : nullptr; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
   /// d F_last/d H00, for a load that grows with H00.
   double load_by_H00() const {
     return 0.0 - (hierarchy_.load_line.slope + hierarchy_.outside_line.slope) / level_.load;
   }
-  reynolds::Transport transport() const { return fmg::transport_on(hierarchy_, level_); }
+  reynolds::Transport transport() const { return multigrid::transport_on(hierarchy_, level_); }
 
  private:
   /// Derivatives of epsilon at the point of linearization, with P and H as independent variables, and its change in
@@ -95,7 +95,7 @@ class Equations {
   };
 
   bool anisotropic() const { return film::anisotropic(hierarchy_.problem.film); }
-  bool at_half_points() const { return fmg::at_half_points(level_); }
+  bool at_half_points() const { return multigrid::at_half_points(level_); }
   /// True if theta depends on epsilon.
   bool switched() const { return level_.scheme.wedge == reynolds::Wedge::upstream3; }
   bool two_epsilons() const { return anisotropic() || at_half_points(); }
@@ -122,8 +122,8 @@ class Equations {
   template <class At>
   double half_point_change(bool along_x, int i, int j, At at) const;
 
-  fmg::Hierarchy& hierarchy_;
-  fmg::Level& level_;
+  multigrid::Hierarchy& hierarchy_;
+  multigrid::Level& level_;
   std::size_t nodes_;
   int threads_;
   std::vector<double> scale_;

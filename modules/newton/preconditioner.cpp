@@ -181,7 +181,7 @@ void Preconditioner::Implementation::make_order() {
 
 void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   const core::Patch& grid = equations.grid();
-  const fmg::Level& level = equations.level();
+  const multigrid::Level& level = equations.level();
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& dq = equations.local().q;
   std::vector<Eigen::Triplet<double>> entries;
@@ -207,7 +207,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     // without weights of their own film.
     const auto enter_row = [&](int k, const std::array<double, 4>& w) {
       const int upstream = std::max(k - 2, 0);
-      const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), k, j, half);
+      const auto e = reynolds::faces_at(face, level.eps, multigrid::eps_across(level), k, j, half);
       const auto held = reynolds::pressure_row(w, e, dq(k, j), dq(k - 1, j), dq(upstream, j), dq(k + 1, j));
       const auto dr =
           face == reynolds::Face::mean

@@ -10,8 +10,8 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "fmg/boundary.hpp"
-#include "fmg/swinging.hpp"
+#include "multigrid/boundary.hpp"
+#include "multigrid/chattering.hpp"
 #include "newton/equations.hpp"
 #include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
@@ -44,15 +44,15 @@ struct State {
 
 // A step holds the boundary pressure and the load outside fixed. Both follow from the film but change little with it,
 // so that the steps converge nearly as fast as without a far field.
-State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
+State judge(multigrid::Hierarchy& hierarchy, multigrid::Level& level) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
-  const double far_change = fmg::renew_boundary(hierarchy, level);
-  fmg::update_residual(hierarchy, level);
+  const double far_change = multigrid::renew_boundary(hierarchy, level);
+  multigrid::update_residual(hierarchy, level);
   const core::Patch& grid = level.grid;
-  const reynolds::ResidualNorms norms =
-      reynolds::residual_norms(grid, fmg::fields(level), hierarchy.transport, hierarchy.problem.cavitation, level.r);
+  const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, multigrid::fields(level), hierarchy.transport,
+                                                                 hierarchy.problem.cavitation, level.r);
   return {.residual = norms.relative(),
-          .load_error = std::abs(fmg::carried_load(level) - level.load) / level.load,
+          .load_error = std::abs(multigrid::carried_load(level) - level.load) / level.load,
           .Hc = level.H(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())),
                         static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy()))),
           .Hm = core::minimum(level.H).value,
@@ -61,7 +61,7 @@ State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
 
 class NewtonIteration {
  public:
-  NewtonIteration(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters)
+  NewtonIteration(multigrid::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters)
       : hierarchy_(hierarchy),
         level_(hierarchy.levels[l]),
         parameters_(parameters),
@@ -72,7 +72,7 @@ class NewtonIteration {
         d_(u_.size()) {}
 
   Result run(const Progress& progress) {
-    fmg::update_film(hierarchy_, level_);
+    multigrid::update_film(hierarchy_, level_);
     State state = judge(hierarchy_, level_);
     equations_.unknowns(u_);
     remember(state);
@@ -91,7 +91,7 @@ class NewtonIteration {
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
       result_.steps.push_back({state.residual, iterations_});
-      if (stalls_at_an_edge(taken) && fmg::mark_swinging(level_) > 0) {
+      if (stalls_at_an_edge(taken) && multigrid::mark_chattering(level_) > 0) {
         state = judge(hierarchy_, level_);
         best_.clear();  // the equations have changed
       }
@@ -107,7 +107,7 @@ class NewtonIteration {
   }
 
  private:
-  bool stalls_at_an_edge(int taken) const { return fmg::may_swing(best_measure_) && taken - best_step_ >= 2; }
+  bool stalls_at_an_edge(int taken) const { return multigrid::may_chatter(best_measure_) && taken - best_step_ >= 2; }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
   /// One Newton step from the given state, shortened if it changes P or H00 too much. out: the reason of a failure.
@@ -169,8 +169,8 @@ class NewtonIteration {
     return std::move(result_);
   }
 
-  fmg::Hierarchy& hierarchy_;
-  fmg::Level& level_;
+  multigrid::Hierarchy& hierarchy_;
+  multigrid::Level& level_;
   const Parameters& parameters_;
   Equations equations_;
   Preconditioner preconditioner_;
@@ -191,8 +191,8 @@ class NewtonIteration {
 // An absolute part, plus a share of the film.
 double longest_shift(double Hc) { return 0.1 + 0.3 * std::abs(Hc); }
 
-Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
-  const fmg::Problem& problem = hierarchy.problem;
+Result solve(multigrid::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
+  const multigrid::Problem& problem = hierarchy.problem;
   if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.film.given_epsilon)
     throw core::InputError(
         "Newton's method needs the complete problem: a load to carry, cavitation, epsilon of the film");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 
 namespace ehl::newton {
 
@@ -48,7 +48,7 @@ using Progress = std::function<bool(const Step&)>;
 /// order: quadratic once the cavitated nodes are found. cost, memory: README.md.
 /// threads: the same bits for any number. errors: core::InputError if the problem has no load or no cavitation;
 /// core::Interrupted; core::SolverError if the far field has no pressure on the boundary.
-Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters = {},
+Result solve(multigrid::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters = {},
              const Progress& progress = {});
 
 }  // namespace ehl::newton

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fmg/boundary.hpp"
 #include "judgement/measures.hpp"
+#include "multigrid/boundary.hpp"
 #include "newton/gmres.hpp"
 #include "newton/solve.hpp"
 
@@ -18,7 +18,7 @@ constexpr int worn_out = 8;
 
 }  // namespace
 
-Steps::Steps(fmg::Hierarchy& hierarchy)
+Steps::Steps(multigrid::Hierarchy& hierarchy)
     : hierarchy_(hierarchy),
       equations_(hierarchy, hierarchy.levels.size() - 1),
       preconditioner_(equations_, Preconditioner::Precision::single, Preconditioner::any_size),
@@ -64,7 +64,7 @@ bool Steps::take() {
 }
 
 void Steps::apply() {
-  const fmg::Level& level = equations_.level();
+  const multigrid::Level& level = equations_.level();
   double largest = 0.0;
   for (std::size_t k = 0; k + 1 < u_.size(); ++k)
     largest = std::max(largest, std::abs(std::max(u_[k] + change_[k], 0.0) - std::max(u_[k], 0.0)));
@@ -76,7 +76,7 @@ void Steps::apply() {
   if (shift * share > most_shift) share = most_shift / shift;
   for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += share * change_[k];
   equations_.set_state(u_);
-  fmg::renew_boundary(hierarchy_, hierarchy_.finest());
+  multigrid::renew_boundary(hierarchy_, hierarchy_.finest());
 }
 
 }  // namespace ehl::newton

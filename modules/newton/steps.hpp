@@ -2,7 +2,7 @@
 // Single Newton steps, for a caller that judges the states itself: the implicit time steps.
 #include <vector>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "newton/equations.hpp"
 #include "newton/preconditioner.hpp"
 
@@ -15,7 +15,7 @@ namespace ehl::newton {
 class Steps {
  public:
   /// in: a hierarchy that outlives this object.
-  explicit Steps(fmg::Hierarchy& hierarchy);
+  explicit Steps(multigrid::Hierarchy& hierarchy);
 
   /// One step from the level's state. It changes no pressure by more than 0.3 and the film at the centre by no more
   /// than a share of itself; the far field is updated. out: false if the linear system is not solved. errors:
@@ -27,7 +27,7 @@ class Steps {
   void precondition(std::span<double> v);
   void apply();
 
-  fmg::Hierarchy& hierarchy_;
+  multigrid::Hierarchy& hierarchy_;
   Equations equations_;
   Preconditioner preconditioner_;
   std::vector<double> u_, minus_F_, change_;

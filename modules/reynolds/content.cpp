@@ -40,11 +40,11 @@ void march_batch(const core::Patch& grid, const Fields& state, const Content& co
         poiseuille(e, P_west, P_east, core::load(state.P.at_x(i) + j - 1), core::load(state.P.at_x(i) + j + 1), P);
     if (state.f.nodes_x() > 0) inflow -= at(state.f, i);
     Lanes out = march.residual(full, east, {theta_at(i - 1), theta_at(i)}, inflow);
-    const auto swings = (state.swings != nullptr ? at(*state.swings, i) : Lanes{}) > 0.0;
+    const auto chatters = (state.chatters != nullptr ? at(*state.chatters, i) : Lanes{}) > 0.0;
     if constexpr (held)
-      out = march.go_on_with(full, at(content.Q, i), out, swings);
+      out = march.go_on_with(full, at(content.Q, i), out, chatters);
     else
-      march.go_on(full, P <= 0.0, out, swings);
+      march.go_on(full, P <= 0.0, out, chatters);
     core::store_lines(grid, r, i, j, out);
     core::store_lines(grid, content.Q, i, j, march.Q());
     P_west = P;

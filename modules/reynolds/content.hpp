@@ -151,7 +151,7 @@ void residual_of_content(const core::Patch& grid, const Fields& state, const Con
 
 /// True where the flux downstream of the next node is of first order although this node is full.
 inline bool first_order_behind(const Fields& state, int i, int j) {
-  return i > 0 && state.swings != nullptr && (*state.swings)(i, j) > 0.0;
+  return i > 0 && state.chatters != nullptr && (*state.chatters)(i, j) > 0.0;
 }
 /// What the film carries through the face downstream of node i of a line, over U, with a given content. in: Q and
 /// rho_bar H of column k; theta of the face; true where the flux is of first order although i-1 is full.

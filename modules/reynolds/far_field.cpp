@@ -211,7 +211,7 @@ void FarField::make_stations(const core::Grid& domain) {
   std::ranges::sort(ends);
   const auto around = gauss_points<10>();
   const auto along = gauss_points<7>();
-  const bool symmetric = !of_.gap.aslant() && domain.Y_a == -domain.Y_b;
+  const bool symmetric = !of_.gap.oblique() && domain.Y_a == -domain.Y_b;
   const double times = symmetric ? 2.0 : 1.0;
   for (std::size_t k = 1; k < ends.size(); ++k)
     for (const auto& [part, angle_weight] : around) {

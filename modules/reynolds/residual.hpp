@@ -20,7 +20,7 @@ struct Fields {
   const core::Field& third_order = eps;
   const core::Field* content = nullptr;  ///< Q of the mass-conserving model (content.hpp); else null
   /// Mass-conserving model: > 0 at chattering nodes; the flux downstream of the next node is of first order.
-  const core::Field* swings = nullptr;
+  const core::Field* chatters = nullptr;
 };
 
 /// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the given transport; 0 on the boundary.

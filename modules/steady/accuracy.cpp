@@ -10,9 +10,9 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "fmg/start.hpp"
-#include "steady/climb.hpp"
+#include "multigrid/start.hpp"
 #include "steady/larger_domain.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
 
@@ -53,7 +53,7 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   coarse.deformation = mlmi::fitting(coarse.deformation, grid);
   coarse.accuracy = {};
   coarse.adjoint_errors = false;
-  coarse.multigrid.tolerance = tolerance_of_coarse;
+  coarse.solver.tolerance = tolerance_of_coarse;
   return coarse;
 }
 
@@ -122,15 +122,15 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
 
 // Continues full multigrid from the solution on a coarser grid to the grid of `finer`.
 Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
-  fmg::Run run = begin_climb(finer, {}, progress);
+  multigrid::Run run = begin_multigrid(finer, {}, progress);
   std::size_t l = 0;
   while (l < run.finest() && run.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
   run.record.levels = coarser.levels;
   run.record.history = coarser.history;
   run.plan.first = l;
-  fmg::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.levels[l].grid, coarser.P), coarser.H00});
-  fmg::ascend(run, l);
-  Solution solution = end_climb(finer, std::move(run));
+  multigrid::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.levels[l].grid, coarser.P), coarser.H00});
+  multigrid::solve_finer_levels(run, l);
+  Solution solution = end_multigrid(finer, std::move(run));
   solution.method = coarser.method;
   solution.attempts = coarser.attempts;
   solution.continuation = coarser.continuation;
@@ -151,7 +151,7 @@ double extrapolated_error(const ErrorBars& bars) {
 
 // Predicted number of cells for the values that are reported first, by the order of the scheme; at least the next
 // level, also if the error is unknown.
-double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
+double predicted_cells(const Scene& scene, const Solution& solution, double allowed) {
   double error = best_error(solution.error_bars);
   double cells = solution.grid.nx;
   do {
@@ -215,7 +215,7 @@ std::vector<Scene> domain_series(const Scene& scene) {
 }
 
 Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress,
-                           bool climbs) {
+                           bool reuses_coarse) {
   const double began = core::now();
   const double target = asked.accuracy.error;
   Scene scene = asked;
@@ -238,14 +238,14 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
       by_extrapolation = !(plain_error(solution.error_bars) <= allowed);
       break;
     }
-    const double foretold = foretold_cells(scene, solution, allowed);
-    const bool reachable = foretold <= scene.accuracy.most_cells &&
-                           forbidden(scene, with_cells(scene.grid, static_cast<int>(foretold))).empty();
+    const double predicted = predicted_cells(scene, solution, allowed);
+    const bool reachable = predicted <= scene.accuracy.most_cells &&
+                           forbidden(scene, with_cells(scene.grid, static_cast<int>(predicted))).empty();
     if (!reachable && extrapolated_error(solution.error_bars) <= allowed) {
       mesh_met = by_extrapolation = true;
       break;
     }
-    const core::Grid next = with_cells(scene.grid, reachable ? static_cast<int>(foretold) : 2 * scene.grid.nx);
+    const core::Grid next = with_cells(scene.grid, reachable ? static_cast<int>(predicted) : 2 * scene.grid.nx);
     if (const std::string limit = forbidden(scene, next); !limit.empty()) {
       if (stopped.empty()) stopped = limit;
       break;
@@ -253,7 +253,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
     const core::Grid solved = scene.grid;
     scene.grid = next;
     try {
-      solution = climbs ? on_finer_grid(scene, solution, solve_on_grid, progress) : solve_on_grid(scene);
+      solution = reuses_coarse ? on_finer_grid(scene, solution, solve_on_grid, progress) : solve_on_grid(scene);
     } catch (const core::Interrupted&) {  // the last solution is still valid
       scene.grid = solved;
       stopped = "an interruption";

@@ -22,11 +22,11 @@ using SolveOnGrid = std::function<Solution(const Scene&)>;
 ///   far as most_cells and most_nodes allow, and beyond that to the extrapolated values.
 ///   AccuracyReport::by_extrapolation is set if the nodal values do not meet it.
 /// A domain that the deck fixes is part of the problem: its error is reported but not counted.
-/// in: climbs; false: every grid is solved from its own start, as required if solve_on_grid does more than cycles.
-/// out: as of solve(), on the last grid. If the target is not met the solution is marked as not converged, and
+/// in: reuses_coarse; false: every grid is solved from its own start, as required if solve_on_grid does more than
+/// cycles. out: as of solve(), on the last grid. If the target is not met the solution is marked as not converged, and
 /// AccuracyReport::stopped_by says why. The level table has all levels. errors: as of solve().
 Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress,
-                           bool climbs = true);
+                           bool reuses_coarse = true);
 
 /// The coarse scenes from which the error of a free domain is estimated: domains of one, two and four times the size.
 std::vector<Scene> domain_series(const Scene& scene);

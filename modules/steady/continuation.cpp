@@ -10,7 +10,7 @@
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "fmg/start.hpp"
+#include "multigrid/start.hpp"
 #include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
 
@@ -36,11 +36,11 @@ constexpr double next_first = 3.0, heaviest_first = 0.5;
 
 struct Solved {
   double ln_M;
-  fmg::State state;
+  multigrid::State state;
   double Hc, Hm;
 };
 
-std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
+std::size_t level_that_holds(const multigrid::Hierarchy& hierarchy, const Scene& scene) {
   const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2, scene.shape);
   std::size_t l = 0;
   while (l + 1 < hierarchy.levels.size() &&
@@ -69,7 +69,7 @@ Solved predict(const std::optional<Solved>& previous, const Solved& last, double
 }
 
 /// The scene with the grid of level l as its finest.
-Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t l) {
+Scene on_level(const Scene& scene, const multigrid::Hierarchy& hierarchy, std::size_t l) {
   Scene same = scene;
   same.grid = hierarchy.levels[l].grid.domain;
   same.deformation = mlmi::fitting(same.deformation, hierarchy.levels[l].grid);
@@ -78,25 +78,27 @@ Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t 
 
 // Cycles for one load on the finest grid of a run. in/out: the damping; a failed step passes on only its relaxation
 // after the coarse grid correction.
-ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Caution& caution) {
+ContinuationStep solve_step(multigrid::Run& run, double M, double load_ratio, multigrid::Damping& damping) {
   ContinuationStep step{.M = M, .load_ratio = load_ratio};
-  const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
+  const multigrid::CycleObserver observe = [&](int cycle,
+                                               const judgement::Measures& now) -> multigrid::DiscretizationError {
     // If the cycles diverge, these stay at the last finite values.
     if (std::isfinite(now.Hc + now.Hm + now.residual)) {
       step.Hc = now.Hc;
       step.Hm = now.Hm;
       step.residual = now.residual;
     }
-    fmg::report(run, run.finest(), cycle, most_cycles_of_a_step, now, step.load_ratio);
+    multigrid::report(run, run.finest(), cycle, most_cycles_of_a_step, now, step.load_ratio);
     return {};
   };
   const judgement::StoppingCriterion criterion{
       .aim = judgement::Aim::residual, .most = most_cycles_of_a_step, .tolerance = step_tolerance};
-  const fmg::CyclesResult result = fmg::run_cycles(run.hierarchy, run.finest(), criterion, caution, observe);
-  caution.relax_after = result.caution.relax_after;
-  if (result.end == CyclesEnd::content) caution = result.caution;
+  const multigrid::CyclesResult result =
+      multigrid::run_cycles(run.hierarchy, run.finest(), criterion, damping, observe);
+  damping.relax_after = result.damping.relax_after;
+  if (result.end == CyclesEnd::converged) damping = result.damping;
   step.cycles = result.cycles;
-  step.converged = result.end == CyclesEnd::content;
+  step.converged = result.end == CyclesEnd::converged;
   return step;
 }
 
@@ -114,7 +116,7 @@ Solved solve_first_load(const Scene& scene, const std::function<Solution(const S
     std::string reason;
     try {
       Scene light = under_load(scene, M);
-      light.multigrid.tolerance = step_tolerance;
+      light.solver.tolerance = step_tolerance;
       const Solution solution = first_load(light);
       const LevelRow& row = solution.levels.back();
       steps.push_back({.M = M,
@@ -138,7 +140,7 @@ Solved solve_first_load(const Scene& scene, const std::function<Solution(const S
 // Continues from load to load up to that of the scene; every load has grids of its own. in: the scene on the grid of
 // the continuation and the first solution; fields are on the domain. out: the last solution.
 Solved follow_load(const Scene& scene, const Start& start, const ProgressCallback& progress, Solved last,
-                   std::vector<ContinuationStep>& steps, fmg::Caution& caution, core::PartTimes& times) {
+                   std::vector<ContinuationStep>& steps, multigrid::Damping& damping, core::PartTimes& times) {
   const double target = std::log(scene.M);
   const double direction = target >= last.ln_M ? 1.0 : -1.0;
   double stride = std::log(scene.continuation.step);
@@ -150,10 +152,10 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
     const bool arrives = std::abs(target - last.ln_M) <= 1.001 * stride;
     Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene);
     const double M = arrives ? scene.M : std::exp(next.ln_M);
-    fmg::Run run = begin_climb(under_load(scene, M), start, progress);
+    multigrid::Run run = begin_multigrid(under_load(scene, M), start, progress);
     const core::Patch& grid = run.hierarchy.finest().grid;
-    fmg::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, next.state.P), next.state.H00});
-    steps.push_back(solve_step(run, M, M / scene.M, caution));
+    multigrid::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, next.state.P), next.state.H00});
+    steps.push_back(solve_step(run, M, M / scene.M, damping));
     core::add(run.hierarchy.times, times);
     if (steps.back().converged) {
       next.state = {core::on_domain(grid, run.hierarchy.finest().P), run.hierarchy.H00};
@@ -173,15 +175,15 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
 
 // Solves the next coarser grid too at the load of the scene, from the solution on level l, as the estimate of the
 // discretization error needs it. If that grid has no solution there is no estimate.
-void solve_level_below(fmg::Run& run, std::size_t l, const fmg::State& solved) {
+void solve_level_below(multigrid::Run& run, std::size_t l, const multigrid::State& solved) {
   if (l == 0) return;
-  fmg::State below{core::Field(run.hierarchy.levels[l - 1].grid), solved.H00};
+  multigrid::State below{core::Field(run.hierarchy.levels[l - 1].grid), solved.H00};
   transfer::restrict_injection(solved.P, below.P);
-  fmg::forget_work(run.hierarchy);
-  fmg::start_from_state(run.hierarchy, l - 1, below);
+  multigrid::forget_work(run.hierarchy);
+  multigrid::start_from_state(run.hierarchy, l - 1, below);
   try {
     const double began = core::now();
-    fmg::solve_level(run, l - 1);
+    multigrid::solve_level(run, l - 1);
     run.record.levels.back().seconds = core::now() - began;
   } catch (const core::SolverError&) {
     run.record.levels.clear();
@@ -220,26 +222,26 @@ Scene under_load(const Scene& scene, double M) {
   return result;
 }
 
-Solution climb_by_load(const Scene& scene, const Start& start,
-                       const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,
-                       std::vector<ContinuationStep>& steps) {
-  fmg::Run run = begin_climb(scene, start, progress);
+Solution solve_by_continuation(const Scene& scene, const Start& start,
+                               const std::function<Solution(const Scene& light)>& first_load,
+                               const ProgressCallback& progress, std::vector<ContinuationStep>& steps) {
+  multigrid::Run run = begin_multigrid(scene, start, progress);
   const std::size_t l = level_that_holds(run.hierarchy, scene);
   run.plan.first = l;
   run.plan.cycles = 0;  // no more than on the finer levels
-  run.caution = {.all = start.caution};
+  run.damping = {.all = start.damping};
   const Scene on_grid = on_level(scene, run.hierarchy, l);
   const Solved last = follow_load(on_grid, start, progress, solve_first_load(on_grid, first_load, steps), steps,
-                                  run.caution, run.hierarchy.times);
-  const fmg::State solved{core::on_patch(run.hierarchy.levels[l].grid, last.state.P), last.state.H00};
+                                  run.damping, run.hierarchy.times);
+  const multigrid::State solved{core::on_patch(run.hierarchy.levels[l].grid, last.state.P), last.state.H00};
   solve_level_below(run, l, solved);
-  fmg::forget_work(run.hierarchy);
-  fmg::start_from_state(run.hierarchy, l, solved);
+  multigrid::forget_work(run.hierarchy);
+  multigrid::start_from_state(run.hierarchy, l, solved);
   const double began = core::now();
-  fmg::solve_level(run, l);
+  multigrid::solve_level(run, l);
   run.record.levels.back().seconds = core::now() - began;
-  fmg::ascend(run, l);
-  return end_climb(scene, std::move(run));
+  multigrid::solve_finer_levels(run, l);
+  return end_multigrid(scene, std::move(run));
 }
 
 }  // namespace ehl::steady

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::steady {
 
@@ -17,11 +17,11 @@ Scene under_load(const Scene& scene, double M);
 /// one load after another, each by cycles to a small residual from the last pressure and an H00 predicted from the last
 /// two films. The step in ln M grows while few cycles are needed and is halved if the cycles fail. At the load of the
 /// scene the full multigrid continues to the finest grid.
-/// out: as climb(); `steps` has a row for every step, the rejected ones included, also if an error is thrown.
-/// errors: core::SolverError if no first load can be solved, the steps become too small or too many, or a finer grid
-/// diverges; core::Interrupted.
-Solution climb_by_load(const Scene& scene, const Start& start,
-                       const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,
-                       std::vector<ContinuationStep>& steps);
+/// out: as solve_by_multigrid(); `steps` has a row for every step, the rejected ones included, also if an error is
+/// thrown. errors: core::SolverError if no first load can be solved, the steps become too small or too many, or a finer
+/// grid diverges; core::Interrupted.
+Solution solve_by_continuation(const Scene& scene, const Start& start,
+                               const std::function<Solution(const Scene& light)>& first_load,
+                               const ProgressCallback& progress, std::vector<ContinuationStep>& steps);
 
 }  // namespace ehl::steady

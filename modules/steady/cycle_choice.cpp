@@ -13,7 +13,7 @@ namespace {
 /// Threshold of log_viscosity_at_edge() above which full weights oscillate where epsilon is steep, and the factor on
 /// the weight there. [bench: steep_log_viscosity]
 constexpr double steep_log_viscosity = 20.0;
-constexpr double caution_where_steep = 0.8;
+constexpr double damping_where_steep = 0.8;
 
 bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
 
@@ -26,7 +26,7 @@ struct Relaxations {
   int pre = 0, post = 0;
 };
 Relaxations more_relaxations(const Scene& scene, const Start& start) {
-  if (!long_along_motion(scene.shape) || !core::stretched(scene.grid)) return {start.pre, start.post};
+  if (!elongated(scene.shape) || !core::stretched(scene.grid)) return {start.pre, start.post};
   return log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender ? Relaxations{3, 2} : Relaxations{3, 1};
 }
 /// Relaxations after an interpolation, and the factor on their weights, if a cycle has more relaxations than usual.
@@ -39,7 +39,7 @@ constexpr double settling_weight = 0.4;
 /// much as the fine one. Stretched cells take W cycles: most of their coarser grids are visited once, so that W costs
 /// hardly more than F. Heavily loaded line contacts with more relaxations keep V cycles for a given tolerance too.
 /// [bench: cycle_choice]
-void choose_cycle(const Scene& scene, const Start& start, fmg::Parameters& parameters) {
+void choose_cycle(const Scene& scene, const Start& start, multigrid::Parameters& parameters) {
   const Relaxations more = more_relaxations(scene, start);
   if (more.pre > 0) {
     if (!parameters.pre) parameters.pre = more.pre;
@@ -48,9 +48,9 @@ void choose_cycle(const Scene& scene, const Start& start, fmg::Parameters& param
     parameters.settling_weight = settling_weight;
   }
   const bool heavy_line = scene.grid.line && more.pre > 0;
-  const bool least_residual = core::stretched(scene.grid) || (std::isfinite(scene.multigrid.tolerance) && !heavy_line);
-  const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
-  if (!parameters.cycle) parameters.cycle = least_residual ? fmg::Cycle::W : shortest;
+  const bool least_residual = core::stretched(scene.grid) || (std::isfinite(scene.solver.tolerance) && !heavy_line);
+  const multigrid::Cycle shortest = scene.grid.line ? multigrid::Cycle::V : multigrid::Cycle::F;
+  if (!parameters.cycle) parameters.cycle = least_residual ? multigrid::Cycle::W : shortest;
   if (!parameters.post) parameters.post = least_residual || steep_edge(scene) ? 1 : 0;
 }
 
@@ -69,8 +69,8 @@ int coarsest_cells(const Scene& scene, const Start& start) {
     return cells;
   };
   if (scene.grid.line) return start.pre > 0 ? with_step_of(widest_coarsest_step_of_heavy_line) : start.coarsest;
-  if (contact::gap(scene.shape).aslant()) {
-    const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.8 : 2.5;
+  if (contact::gap(scene.shape).oblique()) {
+    const double widest_coarsest_step = elongated(scene.shape) ? 0.8 : 2.5;
     const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
     return with_step_of(widest_coarsest_step * shorter);
   }
@@ -118,7 +118,7 @@ double most_change(const Scene& scene) {
 
 /// Factor on the weights of X sweeps on coarse grids of oblique contacts, if a Y sweep follows. With epsilon at the
 /// nodes both sweeps correct the same residual where a spike crosses the lines. [bench: coarse_before_across]
-constexpr double coarse_before_across_aslant = 0.6;
+constexpr double coarse_before_across_oblique = 0.6;
 
 }  // namespace
 
@@ -129,18 +129,18 @@ double log_viscosity_at_edge(const Scene& scene) {
   return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P));
 }
 
-double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
+double steep_damping(const Scene& scene) { return steep_edge(scene) ? damping_where_steep : 1.0; }
 
-fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
-  fmg::Parameters parameters = scene.multigrid;
+multigrid::Parameters parameters_of(const Scene& scene, const Start& start) {
+  multigrid::Parameters parameters = scene.solver;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
   // Elongated oblique contacts get Y sweeps from the first cycle on. [bench: across_of_oblique_contacts]
-  parameters.relaxation.across = (start.across || long_along_motion(scene.shape)) && !core::stretched(scene.grid);
+  parameters.relaxation.across = (start.across || elongated(scene.shape)) && !core::stretched(scene.grid);
   // If a Y sweep follows, the X sweep on square cells is not damped where epsilon is steep: damped, it amplifies the
   // odd-even mode at the inlet edge. Coarse grids, which have epsilon at the nodes, keep the damping.
   // [bench: steep_before_across]
-  parameters.relaxation.steep_before_across = 1.0 / steep_caution(scene);
-  if (contact::gap(scene.shape).aslant()) parameters.relaxation.coarse_before_across = coarse_before_across_aslant;
+  parameters.relaxation.steep_before_across = 1.0 / steep_damping(scene);
+  if (contact::gap(scene.shape).oblique()) parameters.relaxation.coarse_before_across = coarse_before_across_oblique;
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
   // The change of H00 = film - approach with the load, relative to that of a dry circle. Half of the film's share
   // counts: without elastic bodies the pressure responds more slowly. With zero pressure on the boundary so thick a
@@ -159,11 +159,11 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
     parameters.relaxation.weight_distributed = weight_of_line;
   }
   if (core::stretched(scene.grid)) {
-    parameters.relaxation = fmg::lighter(parameters.relaxation, weight_when_stretched);
+    parameters.relaxation = multigrid::lighter(parameters.relaxation, weight_when_stretched);
     parameters.relaxation.weight_single_steep *= steep_when_stretched;
   }
   parameters.relaxation.most_change = most_change(scene);
-  parameters.lead_inward = long_along_motion(scene.shape);
+  parameters.extend_boundary = elongated(scene.shape);
   choose_cycle(scene, start, parameters);
   return parameters;
 }

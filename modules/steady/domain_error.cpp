@@ -7,7 +7,7 @@
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/resolution.hpp"
 
 namespace ehl::steady {
@@ -22,7 +22,7 @@ double central_film(const Scene& scene) {
   Scene only_film = scene;
   only_film.adjoint_errors = false;
   only_film.observer = {};
-  const Solution solution = climb(only_film, start, {});
+  const Solution solution = solve_by_multigrid(only_film, start, {});
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -92,7 +92,7 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
   double elastic;
-  if (!gap.aslant()) {
+  if (!gap.oblique()) {
     // The far pressure beside an ellipse along the entrainment is smaller, as in rough_error().
     const double roundness = gap.YY / gap.XX;
     const double strength = std::min(1.0, 5.0 / (3.0 + 2.0 * roundness) / std::sqrt(roundness));
@@ -181,8 +181,8 @@ double estimate_domain_error(const Scene& scene) {
   while (coarse.grid.nx >= 2 * least && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);
   coarse.deformation = {};
-  coarse.multigrid = {};
-  coarse.multigrid.tolerance = tolerance;
+  coarse.solver = {};
+  coarse.solver.tolerance = tolerance;
   Scene longer = coarse;
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   longer.grid.nx *= 2;

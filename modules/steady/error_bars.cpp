@@ -104,14 +104,14 @@ const double of_second_order = rest(2.0);
 const double of_wedge = rest(3.0);
 
 /// The changes that the terms cause, each summed over all finer grids by its order.
-double of_pressure_and_film(const adjoint::Foretold& parts) {
+double of_pressure_and_film(const adjoint::PredictedChange& parts) {
   return (std::abs(parts.poiseuille) + std::abs(parts.film)) * of_second_order;
 }
-double of_wedge_alone(const adjoint::Foretold& parts) { return std::abs(parts.wedge) * of_wedge; }
-double disagreement(const adjoint::Foretold& parts, double seen) { return std::abs(parts.change() - seen); }
+double of_wedge_alone(const adjoint::PredictedChange& parts) { return std::abs(parts.wedge) * of_wedge; }
+double disagreement(const adjoint::PredictedChange& parts, double seen) { return std::abs(parts.change() - seen); }
 
 /// Remaining change by the grid sequence, with the wedge's part at its own order.
-double correction(const adjoint::Foretold& parts, double seen) {
+double correction(const adjoint::PredictedChange& parts, double seen) {
   return seen * of_second_order - parts.wedge * (of_second_order - of_wedge);
 }
 
@@ -119,7 +119,7 @@ double correction(const adjoint::Foretold& parts, double seen) {
 
 /// Error of Hc: the correction by the grid sequence, and a share of the terms added as if they were independent.
 constexpr double share_of_terms = 0.55;
-double mesh_error_of_Hc(const adjoint::Foretold& parts, double seen) {
+double mesh_error_of_Hc(const adjoint::PredictedChange& parts, double seen) {
   return std::abs(correction(parts, seen)) + share_of_terms * std::hypot(parts.poiseuille * of_second_order,
                                                                          parts.film * of_second_order,
                                                                          parts.wedge * of_wedge);
@@ -128,7 +128,7 @@ double mesh_error_of_Hc(const adjoint::Foretold& parts, double seen) {
 /// the adjoint solution lies at a slightly different place; at least the correction by the grid sequence. A share of
 /// the disagreement between the two is added. [bench: share_of_terms]
 constexpr double share_of_disagreement = 0.25;
-double mesh_error_of_Hm(const adjoint::Foretold& parts, double seen) {
+double mesh_error_of_Hm(const adjoint::PredictedChange& parts, double seen) {
   return std::max(std::abs(correction(parts, seen)), of_pressure_and_film(parts) + of_wedge_alone(parts)) +
          share_of_disagreement * disagreement(parts, seen);
 }
@@ -136,14 +136,15 @@ double mesh_error_of_Hm(const adjoint::Foretold& parts, double seen) {
 /// Algebraic error by the residual. A residual that changes its sign from node to node is seen by the coarse adjoint
 /// solution only to this accuracy. [bench: share_of_scattered]
 constexpr double share_of_scattered = 0.1;
-double cycles_error_by_weights(const adjoint::Foretold& parts, double by_change) {
+double cycles_error_by_weights(const adjoint::PredictedChange& parts, double by_change) {
   return by_change + std::abs(parts.left) + share_of_scattered * std::abs(parts.scattered);
 }
 
 /// Error of the extrapolated Hc: the next order of the terms, by the mesh size over the zone in which the film forms,
 /// and a share of the disagreement with the grid sequence. [bench: share_of_disagreement_extrapolated]
 constexpr double next_order = 2.0, share_of_disagreement_extrapolated = 0.17;
-Estimate Hc_by_weights(const adjoint::Foretold& parts, double value, double seen, double step, double algebraic) {
+Estimate Hc_by_weights(const adjoint::PredictedChange& parts, double value, double seen, double step,
+                       double algebraic) {
   const double error = next_order * step * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
                        share_of_disagreement_extrapolated * disagreement(parts, seen);
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
@@ -151,7 +152,7 @@ Estimate Hc_by_weights(const adjoint::Foretold& parts, double value, double seen
 /// Error of the extrapolated Hm: a share of the terms, and the disagreement with the grid sequence.
 /// [bench: share_of_terms_extrapolated]
 constexpr double share_of_terms_extrapolated = 0.6;
-Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen, double algebraic) {
+Estimate Hm_by_weights(const adjoint::PredictedChange& parts, double value, double seen, double algebraic) {
   const double error = share_of_terms_extrapolated * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
                        disagreement(parts, seen) * of_second_order;
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
@@ -178,7 +179,7 @@ Estimate narrower(const Estimate& plain, const Estimate& extrapolated) {
   return extrapolated.error < plain.error ? extrapolated : plain;
 }
 
-void judge_by_weights(const Scene& scene, const adjoint::Errors& errors, const std::vector<LevelRow>& levels,
+void judge_by_adjoint(const Scene& scene, const adjoint::Errors& errors, const std::vector<LevelRow>& levels,
                       ErrorBars& bars) {
   const LevelRow& last = levels.back();
   const LevelRow& below = levels[levels.size() - 2];
@@ -212,7 +213,7 @@ constexpr double order_of_Hc_of_line = 1.55, order_of_Hm_of_line = 1.05;
 void judge_line(const Solution& solution, ErrorBars& bars) {
   const LevelRow& last = solution.levels.back();
   const auto error = [&](double LevelRow::*value, double order) {
-    return judgement::estimate_error(fmg::column(solution.levels, value), order).relative_error;
+    return judgement::estimate_error(multigrid::column(solution.levels, value), order).relative_error;
   };
   bars.Hc.discretization = error(&LevelRow::Hc, order_of_Hc_of_line);
   bars.Hm_fitted.discretization = error(&LevelRow::Hm_fitted, order_of_Hm_of_line);
@@ -257,9 +258,9 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   // Beside a meniscus the values have no fixed order, and for a line contact the extrapolation has no reliable error.
   if (!scene.supply && !plain_line(scene)) {
-    bars.Hc_extrapolated = extrapolated(fmg::column(solution.levels, &LevelRow::Hc), order, judgement::unsure_of_Hc,
-                                        checked.algebraic_error_Hc);
-    bars.Hm_extrapolated = extrapolated(fmg::column(solution.levels, &LevelRow::Hm_fitted), order,
+    bars.Hc_extrapolated = extrapolated(multigrid::column(solution.levels, &LevelRow::Hc), order,
+                                        judgement::unsure_of_Hc, checked.algebraic_error_Hc);
+    bars.Hm_extrapolated = extrapolated(multigrid::column(solution.levels, &LevelRow::Hm_fitted), order,
                                         judgement::unsure_of_Hm, checked.algebraic_error_Hm);
   }
   if (reynolds::third_order(scene.wedge) && std::isfinite(bars.Hm_extrapolated.error)) {
@@ -269,13 +270,13 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   bars.domain = domain_error(scene, solution);
   if (solution.levels.size() > 1) {
-    if (plain_line(scene) && fmg::column(solution.levels, &LevelRow::Hc).size() > 1)
+    if (plain_line(scene) && multigrid::column(solution.levels, &LevelRow::Hc).size() > 1)
       judge_line(solution, bars);
     else if (!plain_line(scene) && solution.adjoint)
-      judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
+      judge_by_adjoint(scene, *solution.adjoint, solution.levels, bars);
   }
-  judge_P_max(scene, fmg::column(solution.levels, &LevelRow::P_max), fmg::column(solution.levels, &LevelRow::P_rim),
-              bars);
+  judge_P_max(scene, multigrid::column(solution.levels, &LevelRow::P_max),
+              multigrid::column(solution.levels, &LevelRow::P_rim), bars);
   add_errors_of_supply(solution.passes, bars);
   leave_open_on_relief(scene, bars);
   bars.observed = errors_of_observed(solution.levels, bars.spike_unresolved);

@@ -131,7 +131,7 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
 
 // Least number of cells along x for an oblique ellipse: as many along its shorter axis in both directions as resolve
 // it, with one grid below the finest for the estimate of the mesh error. [bench: cells_on_circle]
-double fewest_aslant(double length, const contact::Groups& groups) {
+double fewest_oblique(double length, const contact::Groups& groups) {
   constexpr double cells_on_circle = 48.0;
   constexpr double per_contact_size = 5.0;
   const double sizes = length / contact_size(groups.M, groups.L, groups.shape);
@@ -146,8 +146,8 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   if (std::isnan(length)) return;
   int fewest = std::max(grid.integer("coarsest", fewest_chosen_cells), 1);
   // A slender or oblique contact needs more cells along X to be resolved at all.
-  const double least = contact::gap(groups.shape).aslant()
-                           ? fewest_aslant(length, groups)
+  const double least = contact::gap(groups.shape).oblique()
+                           ? fewest_oblique(length, groups)
                            : 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
   const double stretch = std::max(1.0, 1.0 / cell_aspect(groups.shape));
   while (fewest < fewest_chosen_cells || fewest <= least / stretch) fewest *= 2;

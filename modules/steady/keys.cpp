@@ -57,7 +57,7 @@ std::vector<deck::Key> path_keys() {
 }
 
 Polish read_polish(deck::Deck& deck) {
-  return deck::Part{deck, "multigrid"}.choice("polish", {Polish::rescue, Polish::always, Polish::off});
+  return deck::Part{deck, "multigrid"}.choice("polish", {Polish::fallback, Polish::always, Polish::off});
 }
 
 ContinuationParameters read_continuation(deck::Deck& deck, double M, const deck::PlainUnit& newton) {

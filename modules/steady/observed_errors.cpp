@@ -38,11 +38,11 @@ double error_of(const std::vector<double>& values, bool spike_unresolved) {
 
 }  // namespace
 
-std::vector<double> errors_of_observed(const std::vector<fmg::LevelRow>& levels, bool spike_unresolved) {
+std::vector<double> errors_of_observed(const std::vector<multigrid::LevelRow>& levels, bool spike_unresolved) {
   std::vector<double> errors;
   if (levels.empty()) return errors;
   for (std::size_t k = 0; k < levels.back().observed.size(); ++k)
-    errors.push_back(error_of(fmg::column_observed(levels, k), spike_unresolved));
+    errors.push_back(error_of(multigrid::column_observed(levels, k), spike_unresolved));
   return errors;
 }
 

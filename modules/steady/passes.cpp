@@ -9,12 +9,12 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/oil.hpp"
-#include "fmg/start.hpp"
 #include "judgement/stopping.hpp"
-#include "steady/climb.hpp"
+#include "multigrid/mass_balance.hpp"
+#include "multigrid/start.hpp"
 #include "steady/layer_error.hpp"
-#include "steady/rescue.hpp"
+#include "steady/multigrid_solve.hpp"
+#include "steady/newton_fallback.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -48,23 +48,23 @@ std::function<double(double Y)> supply_of(const core::Grid& grid, std::vector<do
 
 // Cycles from the state of the previous pass.
 Solution cycles_from(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
-  fmg::Run run = begin_climb(scene, restart, progress);
+  multigrid::Run run = begin_multigrid(scene, restart, progress);
   const core::Patch& grid = run.hierarchy.finest().grid;
-  fmg::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, before.P), before.H00});
-  fmg::solve_level(run, run.finest());
-  if (!run.record.converged) fmg::balance_oil(run.hierarchy, run.hierarchy.finest());
+  multigrid::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, before.P), before.H00});
+  multigrid::solve_level(run, run.finest());
+  if (!run.record.converged) multigrid::balance_mass(run.hierarchy, run.hierarchy.finest());
   return solution_of(scene, std::move(run));
 }
 
 /// Limits within which a pass with chattering nodes still counts, with a warning: a node at the edge of the film may be
 /// consistent neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved.
-/// [bench: swinging_residual]
-constexpr double swinging_residual = 2e-2;
-constexpr double swinging_load_error = 1e-4;
+/// [bench: chattering_residual]
+constexpr double chattering_residual = 2e-2;
+constexpr double chattering_load_error = 1e-4;
 
-bool only_swings(const Solution& solution) {
+bool only_chatters(const Solution& solution) {
   const LevelRow& row = solution.levels.back();
-  return row.Hm > 0.0 && row.residual <= swinging_residual && row.load_error <= swinging_load_error &&
+  return row.Hm > 0.0 && row.residual <= chattering_residual && row.load_error <= chattering_load_error &&
          std::abs(solution.oil.imbalance()) <= judgement::largest_oil_imbalance;
 }
 
@@ -83,14 +83,14 @@ Pass row_of(const Scene& scene, const Solution& solution, int number, double car
   row.aside = solution.oil.aside;
   row.imbalance = solution.oil.imbalance();
   row.steps = solution.newton.empty() ? solution.levels.back().cycles : static_cast<int>(solution.newton.size());
-  row.first_order = solution.swinging_nodes;
+  row.first_order = solution.chattering_nodes;
   row.residual = solution.levels.back().residual;
   return row;
 }
 
 // The share of the progress of one pass; all passes count as equally long.
 ProgressCallback part_of(const ProgressCallback& progress, int pass, int passes) {
-  return fmg::part_of(progress, (pass - 1.0) / passes, static_cast<double>(pass) / passes);
+  return multigrid::part_of(progress, (pass - 1.0) / passes, static_cast<double>(pass) / passes);
 }
 
 }  // namespace
@@ -111,15 +111,15 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
 // [bench: go_on]
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
-  next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
+  next.solver.tolerance = std::fmin(tolerance_between, scene.solver.tolerance);
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  if (scene.polish != Polish::off && nodes <= most_nodes_of_rescue) {
+  if (scene.polish != Polish::off && nodes <= most_nodes_of_newton) {
     Solution solution = follow_by_newton(next, restart, before, progress);
-    if (solution.converged || only_swings(solution)) return solution;
+    if (solution.converged || only_chatters(solution)) return solution;
   }
   try {
     Solution solution = cycles_from(next, before, progress);
-    if (solution.converged || only_swings(solution)) return solution;
+    if (solution.converged || only_chatters(solution)) return solution;
   } catch (const core::SolverError&) {
     // Then without the previous solution.
   }
@@ -138,7 +138,7 @@ std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, c
   try {
     std::optional<Solution> solution = find(now, {});
     while (solution && static_cast<int>(supplies.size()) < passes) {
-      if (!solution->converged && !only_swings(*solution)) break;
+      if (!solution->converged && !only_chatters(*solution)) break;
       now.supply = supply_of(now.grid, next_layer(scene.passes, left_behind(*solution), fresh));
       supplies.push_back(now.supply(0.0));
       if (static_cast<int>(supplies.size()) == passes) break;
@@ -159,21 +159,21 @@ Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolu
   Solution solution = find(now, part_of(progress, 1, number));
   std::vector<Pass> rows;
   std::vector<std::vector<double>> tracks;
-  bool swings = false;
+  bool chatters = false;
   for (int pass = 1;; ++pass) {
     rows.push_back(row_of(now, solution, pass, carried_flooded));
-    rows.back().swings = swings;
+    rows.back().chatters = chatters;
     tracks.push_back(left_behind(solution));
-    if (pass == number || !(solution.converged || swings)) break;
+    if (pass == number || !(solution.converged || chatters)) break;
     now.supply = supply_of(scene.grid, next_layer(scene.passes, tracks.back(), fresh));
     const ProgressCallback part = part_of(progress, pass + 1, number);
     std::optional<Solution> next = go_on(now, solution, part);
-    swings = next && !next->converged;
-    if (!next || (pass + 1 == number && !swings))
+    chatters = next && !next->converged;
+    if (!next || (pass + 1 == number && !chatters))
       if (Solution found = find(now, part); found.converged || !next) next = std::move(found);
     solution = std::move(*next);
   }
-  if (swings) {
+  if (chatters) {
     solution.converged = true;
     solution.failed_check.clear();
   }

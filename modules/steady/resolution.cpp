@@ -31,7 +31,7 @@ double film_along(double angle, double speed, double M, double L, const contact:
 
 // The formula knows one radius along the motion and one across it. Films that grow with the power n of the speed are
 // combined as the power 2/n of each component's film, which is exact for a circle at any angle.
-double film_aslant(double M, double L, const contact::Ellipse& shape) {
+double film_oblique(double M, double L, const contact::Ellipse& shape) {
   const double angle = shape.angle * core::pi / 180.0;
   const double x = std::abs(std::cos(angle)), y = std::abs(std::sin(angle));
   const double film_x = film_along(0.0, x, M, L, shape), film_y = film_along(90.0, y, M, L, shape);
@@ -45,7 +45,7 @@ double film_aslant(double M, double L, const contact::Ellipse& shape) {
 }  // namespace
 
 double expected_central_film(double M, double L, const contact::Ellipse& shape) {
-  return contact::gap(shape).aslant() ? film_aslant(M, L, shape) : film_by_formula(M, L, shape);
+  return contact::gap(shape).oblique() ? film_oblique(M, L, shape) : film_by_formula(M, L, shape);
 }
 
 double circular_load(double M, double L, const contact::Ellipse& shape) {
@@ -100,13 +100,13 @@ double cell_aspect(const contact::Ellipse& shape) {
   const contact::Extent reach = contact::extent(shape);
   if (reach.Y > 7.0 * reach.X) return 2.0;
   constexpr double longest = 16.0;
-  if (reach.X < slender * reach.Y || contact::gap(shape).aslant()) return 1.0;
+  if (reach.X < slender * reach.Y || contact::gap(shape).oblique()) return 1.0;
   double stretch = 1.0;
   while (2.0 * stretch <= std::min(longest, reach.X / reach.Y)) stretch *= 2.0;
   return 1.0 / stretch;
 }
 
-bool long_along_motion(const contact::Ellipse& shape) { return slender * shape.kappa < 1.0; }
+bool elongated(const contact::Ellipse& shape) { return slender * shape.kappa < 1.0; }
 
 int resolving_cells(double step, double length, int fewest, int most) {
   int cells = fewest;

@@ -52,7 +52,7 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 double cell_aspect(const contact::Ellipse& shape);
 /// True if the contact is elongated in the rolling direction: more than six times as long as wide, in line with the
 /// motion or oblique to it.
-bool long_along_motion(const contact::Ellipse& shape);
+bool elongated(const contact::Ellipse& shape);
 
 /// Cells along x: `fewest`, doubled until the mesh size on this length of domain is at most `step`, without exceeding
 /// `most`.

@@ -10,8 +10,8 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "film/model.hpp"
-#include "fmg/parameters.hpp"
 #include "mlmi/deformation.hpp"
+#include "multigrid/parameters.hpp"
 #include "reynolds/wedge.hpp"
 #include "rheology/laws.hpp"
 #include "rheology/shear.hpp"
@@ -33,9 +33,9 @@ struct ContinuationParameters {
 
 /// When Newton's method is used on the finest grid.
 enum class Polish {
-  rescue,  ///< if nothing else leads to a solution (Newton fallback)
-  always,  ///< also after the cycles, down to rounding errors (Newton refinement)
-  off,     ///< never
+  fallback,  ///< if nothing else leads to a solution (Newton fallback)
+  always,    ///< also after the cycles, down to rounding errors (Newton refinement)
+  off,       ///< never
 };
 
 /// A required accuracy instead of a grid (accuracy.hpp).
@@ -93,9 +93,9 @@ struct Scene {
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   reynolds::Face face = reynolds::Face::mean;
   mlmi::Parameters deformation;
-  fmg::Parameters multigrid;
+  multigrid::Parameters solver;
   ContinuationParameters continuation;
-  Polish polish = Polish::rescue;
+  Polish polish = Polish::fallback;
   /// Adjoint error estimates of Hc and Hm, with the third-order wedge; else from the grid sequence alone.
   bool adjoint_errors = true;
   bool error_maps = false;  ///< also maps of where the errors arise

@@ -10,8 +10,8 @@
 #include "core/grid.hpp"
 #include "core/timer.hpp"
 #include "core/warning.hpp"
-#include "fmg/record.hpp"
 #include "judgement/verification.hpp"
+#include "multigrid/record.hpp"
 #include "newton/solve.hpp"
 #include "reynolds/flow_balance.hpp"
 #include "steady/error_bars.hpp"
@@ -19,10 +19,10 @@
 
 namespace ehl::steady {
 
-using fmg::CycleRow;
-using fmg::CyclesEnd;
-using fmg::LevelRow;
 using judgement::Verification;
+using multigrid::CycleRow;
+using multigrid::CyclesEnd;
+using multigrid::LevelRow;
 
 /// One strategy that was tried.
 struct Attempt {
@@ -60,7 +60,7 @@ struct Solution {
   core::Field theta;                        ///< Q/(rho_bar H)
   reynolds::OilBalance oil;                 ///< in, out and aside, if the scene has a supply
   double C_centre = 1.0;                    ///< the flow at (0, 0) is rho_bar H C: 1 without heat
-  int swinging_nodes = 0;                   ///< number of chattering nodes
+  int chattering_nodes = 0;                 ///< number of chattering nodes
   std::optional<Starvation> starvation;     ///< if the scene has a supply
   std::vector<Pass> passes;                 ///< if the scene asks for several; all else is of the last one
   std::vector<std::vector<double>> tracks;  ///< layer left by each pass, per line of the domain; in units of H
@@ -72,8 +72,8 @@ struct Solution {
   std::string deformation;  ///< the method that evaluated the film, for the report
   core::Warnings warnings;
   double seconds = 0.0;
-  CyclesEnd end = CyclesEnd::content;  ///< on the finest grid
-  std::string method;                  ///< the strategy that led to this result
+  CyclesEnd end = CyclesEnd::converged;  ///< on the finest grid
+  std::string method;                    ///< the strategy that led to this result
   std::vector<Attempt> attempts;
   std::vector<ContinuationStep> continuation;
   std::vector<newton::Step> newton;  ///< on the finest grid

@@ -12,11 +12,11 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "steady/accuracy.hpp"
-#include "steady/climb.hpp"
 #include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/multigrid_solve.hpp"
+#include "steady/newton_fallback.hpp"
 #include "steady/passes.hpp"
-#include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 #include "steady/starts.hpp"
 #include "steady/warnings.hpp"
@@ -30,11 +30,11 @@ constexpr double worth_a_look = 0.01;
 /// The strategies that were tried, and the best result so far.
 class Search {
  public:
-  void try_way(const std::string& method, const std::function<Solution()>& way) {
+  void try_strategy(const std::string& method, const std::function<Solution()>& strategy) {
     const double began = core::now();
     attempts_.push_back({method, "", 0.0});
     try {
-      Solution solution = way();
+      Solution solution = strategy();
       attempts_.back().reason = solution.failed_check;
       if (better(solution)) {
         best_ = std::move(solution);
@@ -87,28 +87,29 @@ constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
 
 // The cycles may find no state for the meniscus of a supply; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
-  if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes_of(scene) > most_nodes_of_rescue)) return;
+  if (scene.polish == Polish::off || (scene.polish == Polish::fallback && nodes_of(scene) > most_nodes_of_newton))
+    return;
   if (search.best())
-    search.try_way(newton_after_cycles,
-                   [&] { return rescue_by_newton(scene, usual_start(), *search.best(), progress); });
+    search.try_strategy(newton_after_cycles,
+                        [&] { return refine_by_newton(scene, usual_start(), *search.best(), progress); });
 }
 
 // Line contacts: a coarse grid lets more or less oil through than the finest, so that a supply near this flow fills the
 // inlet of some grids only and cycles diverge between them. Newton's method solves the finest grid from its own flooded
 // state.
 void try_newton_from(const Solution& flooded, const Scene& scene, const ProgressCallback& progress, Search& search) {
-  if (scene.polish == Polish::off || nodes_of(scene) > most_nodes_of_rescue) return;
+  if (scene.polish == Polish::off || nodes_of(scene) > most_nodes_of_newton) return;
   Solution start = flooded;
   start.history.clear();
-  search.try_way("Newton-Krylov from the flooded contact",
-                 [&] { return rescue_by_newton(scene, usual_start(), start, progress); });
+  search.try_strategy("Newton-Krylov from the flooded contact",
+                      [&] { return refine_by_newton(scene, usual_start(), start, progress); });
 }
 
 // Beside a slender contact the oil on a first grid is far from its final place, and no start brings it there; load
 // continuation does. [bench: load_continuation_of_slender]
 bool oil_is_astray(const Scene& scene, const Search& search) {
   if (!scene.supply || scene.grid.line) return false;
-  return search.best() ? !search.best()->levels.back().solved() : long_along_motion(scene.shape);
+  return search.best() ? !search.best()->levels.back().solved() : elongated(scene.shape);
 }
 
 // in: by_load, the load continuation, for a contact that needs it right after the first start.
@@ -121,8 +122,8 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     // A start for finer grids than the scene has does not differ from the earlier ones.
     if (number > 2 && start.coarseness == 0.0 && start.cells * slender > scene.grid.nx * core::stretch(scene.grid))
       return;
-    search.try_way(first ? "full multigrid" : "full multigrid, start " + std::to_string(number),
-                   [&] { return climb(scene, start, progress); });
+    search.try_strategy(first ? "full multigrid" : "full multigrid, start " + std::to_string(number),
+                        [&] { return solve_by_multigrid(scene, start, progress); });
     const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
     if (!search.over() && first && scene.supply && stalls) try_newton_after_cycles(scene, progress, search);
     if (!search.over() && first && flooded != nullptr) try_newton_from(*flooded, scene, progress, search);
@@ -140,10 +141,11 @@ Solution by_full_multigrid(const Scene& scene, const ProgressCallback& progress)
 }
 
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
-  const double most = search.tried(newton_after_cycles) ? most_nodes_of_two_rescues : most_nodes_of_rescue;
-  if (scene.polish == Polish::rescue && nodes_of(scene) > most) return;
+  const double most = search.tried(newton_after_cycles) ? most_nodes_of_second_newton : most_nodes_of_newton;
+  if (scene.polish == Polish::fallback && nodes_of(scene) > most) return;
   try_newton_after_cycles(scene, progress, search);
-  if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, usual_start(), progress); });
+  if (!search.over())
+    search.try_strategy("Newton-Krylov", [&] { return solve_by_newton(scene, usual_start(), progress); });
 }
 
 // The solution by the first strategy that succeeds. in: the flooded solution of a starved line contact, or none.
@@ -154,8 +156,8 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   const auto by_load = [&] {
     constexpr const char* name = "load continuation";
     if (scene.continuation.path == Path::off || search.over() || search.tried(name)) return;
-    search.try_way(name, [&] {
-      return climb_by_load(
+    search.try_strategy(name, [&] {
+      return solve_by_continuation(
           scene, safe_start(), [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
     });
   };
@@ -200,9 +202,9 @@ Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
   Scene full = scene;
   full.supply = {};
   full.adjoint_errors = false;
-  const Solution flooded = find(full, fmg::part_of(progress, 0.0, share_of_flooded));
+  const Solution flooded = find(full, multigrid::part_of(progress, 0.0, share_of_flooded));
   const double of_flooded = core::now() - began;
-  const ProgressCallback rest = fmg::part_of(progress, share_of_flooded, 1.0);
+  const ProgressCallback rest = multigrid::part_of(progress, share_of_flooded, 1.0);
   Scene starved = scene;
   if (scene.grid.line && flooded.converged) starved.supply_share = share_by_film(flooded);
   if (more_than_goes_through(scene, flooded)) starved.supply = [](double) { return brim; };

@@ -4,8 +4,8 @@
 
 namespace ehl::steady {
 
-using fmg::Progress;
-using fmg::ProgressCallback;
+using multigrid::Progress;
+using multigrid::ProgressCallback;
 
 /// Solves the steady contact problem (eqs. 1-3), or several passes of it, by full multigrid and, if that fails, by the
 /// other strategies of modules/steady/README.md. in: a complete scene. out: the best state that was found, converged or

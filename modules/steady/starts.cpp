@@ -3,7 +3,7 @@
 #include <iterator>
 #include <span>
 
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -11,19 +11,19 @@ namespace {
 /// The first start is fast and works for most contacts. The later ones begin on a finer grid, which resolves the
 /// contact better, keep a finer coarsest grid, and are more strongly damped.
 constexpr Start starts[] = {
-    {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
-    {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
+    {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7, .damping = 1.0},
+    {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .damping_at_first = 0.5, .damping = 1.0},
+    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7, .damping = 1.0},
+    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .damping_at_first = 0.7, .damping = 1.0},
+    {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.7, .damping = 0.7},
+    {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.5, .damping = 0.7},
 };
 /// The first start to try if the first grid of the earlier ones does not resolve the contact.
 constexpr std::size_t start_of_heavy = 2;
 
 /// The first start of a line contact, for which a finer first grid costs little. [bench: start_of_line]
 constexpr Start start_of_line = {
-    .cells = 64, .sweeps = 40, .cycles = 6, .balances = 10, .caution_at_first = 0.5, .caution = 0.9, .coarseness = 9.0};
+    .cells = 64, .sweeps = 40, .cycles = 6, .balances = 10, .damping_at_first = 0.5, .damping = 0.9, .coarseness = 9.0};
 
 /// Heavily loaded line contacts with a steep edge: coarse grids do not resolve their film zones, so that the
 /// corrections are poor and more relaxations are needed. [bench: starts_of_heavy_lines]
@@ -32,8 +32,8 @@ constexpr int most_relaxations = 4;
 constexpr Start start_of_heavy_line(int pre, int post) {
   Start start = start_of_line;
   start.cycles = 4;
-  start.caution_at_first = 0.4;
-  start.caution = 0.7;
+  start.damping_at_first = 0.4;
+  start.damping = 0.7;
   start.pre = pre;
   start.post = post;
   return start;
@@ -43,12 +43,12 @@ constexpr Start starts_of_heavy_lines[] = {start_of_heavy_line(3, 2),
 
 /// Ellipses: the film beside a heavily loaded slender or oblique contact is too thin for the first grids of the other
 /// starts. On a coarser grid the relaxations of the Hertz pressure themselves diverge.
-constexpr Start start_of_ellipse(double caution_at_first) {
+constexpr Start start_of_ellipse(double damping_at_first) {
   return {.cells = 128,
           .sweeps = 20,
           .cycles = 12,
-          .caution_at_first = caution_at_first,
-          .caution = 0.7,
+          .damping_at_first = damping_at_first,
+          .damping = 0.7,
           .across = true,
           .coarseness = 4.5};
 }

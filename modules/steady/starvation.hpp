@@ -38,7 +38,7 @@ struct Pass {
   int steps = 0;        ///< cycles on the finest grid, or Newton steps
   int first_order = 0;  ///< chattering nodes, behind which the flux is of first order
   double residual = 0.0;
-  bool swings = false;  ///< true if nodes at the edge of the film chatter (passes.cpp)
+  bool chatters = false;  ///< true if nodes at the edge of the film chatter (passes.cpp)
 };
 
 /// rho_bar H C at the centre.

@@ -68,15 +68,15 @@ void warn_of_passes(const std::vector<Pass>& passes, core::Warnings& warnings) {
                                               "half as many cells reached pass number " +
                                               std::to_string(known) + " only; use more cells"});
   }
-  const auto swinging = std::ranges::count_if(passes, &Pass::swings);
-  if (swinging == 0) return;
+  const auto chattering = std::ranges::count_if(passes, &Pass::chatters);
+  if (chattering == 0) return;
   const double residual = std::ranges::max_element(passes, {}, [](const Pass& pass) {
-                            return pass.swings ? pass.residual : 0.0;
+                            return pass.chatters ? pass.residual : 0.0;
                           })->residual;
   char largest[16];
   std::snprintf(largest, sizeof largest, "%.1e", residual);
   warnings.push_back(
-      {"edge-of-film", "in " + std::to_string(swinging) + " of " + std::to_string(passes.size()) +
+      {"edge-of-film", "in " + std::to_string(chattering) + " of " + std::to_string(passes.size()) +
                            " passes a node at the edge of the film alternates between wet and dry: residual " +
                            largest + " at most, oil is conserved; try another number of cells"});
 }
@@ -130,9 +130,9 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
              percent(std::abs(solution.domain_error_Hc)) +
              " (an estimate), and larger domains may add as much again; move x_inlet upstream and widen y_half"});
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
-  if (solution.swinging_nodes > 0)
+  if (solution.chattering_nodes > 0)
     warnings.push_back(
-        {"edge-of-film", "at " + std::to_string(solution.swinging_nodes) +
+        {"edge-of-film", "at " + std::to_string(solution.chattering_nodes) +
                              " nodes at the edge of the film the flux is of first order, because they chatter between "
                              "wet and dry with the second order; try another number of cells"});
   warn_of_passes(solution.passes, warnings);

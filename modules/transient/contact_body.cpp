@@ -1,18 +1,18 @@
 // Motion of the body above the film.
-#include "fmg/boundary.hpp"
+#include "multigrid/boundary.hpp"
 #include "transient/contact_dae.hpp"
 
 namespace ehl::transient {
 
 void ContactDae::release(const Drive& drive) {
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   pose(0.0, drive, 0.0);
   level.P.fill(0.0);
   hierarchy_.H00 = *course_.body->gap;
   V_ = course_.body->velocity;
   hierarchy_.far_motion = {.approach = -V_, .load = 0.0};
-  fmg::update_film(hierarchy_, level);
-  fmg::renew_boundary(hierarchy_, level);
+  multigrid::update_film(hierarchy_, level);
+  multigrid::renew_boundary(hierarchy_, level);
   spread_oil();
 }
 
@@ -34,7 +34,7 @@ void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
   const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;
   const double V_slope = (carried() - drive.load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
   V_ = V_at_rest + V_slope / stage.cj;
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   level.load = W_ * (drive.load + body.mass * V_slope + body.damping * V_) - level.load_outside;
   hierarchy_.load_line = {};
 }

@@ -6,10 +6,10 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/boundary.hpp"
-#include "fmg/cycle.hpp"
-#include "fmg/cycles.hpp"
-#include "fmg/oil.hpp"
+#include "multigrid/boundary.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/cycles.hpp"
+#include "multigrid/mass_balance.hpp"
 #include "transient/nodes.hpp"
 
 namespace ehl::transient {
@@ -32,13 +32,13 @@ bool in_zone(const core::QuadraticForm& outline, const core::Patch& grid, int i,
 
 }  // namespace
 
-void prepare(fmg::Hierarchy& hierarchy) {
-  fmg::Level& level = hierarchy.finest();
+void prepare(multigrid::Hierarchy& hierarchy) {
+  multigrid::Level& level = hierarchy.finest();
   level.f = core::Field(level.grid);
   level.F = core::Field(level.grid);
 }
 
-ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control)
+ContactDae::ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, const ErrorControl& control)
     : hierarchy_(hierarchy),
       course_(course),
       control_(control),
@@ -53,15 +53,15 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
   const core::QuadraticForm& outline = hierarchy.problem.geometry.outline;
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
-  fmg::update_residual(hierarchy, hierarchy.finest());
+  multigrid::update_residual(hierarchy, hierarchy.finest());
   // For a line contact the outflow equals the inflow and is the safer measure: if more oil is supplied than passes, the
   // steady film is the flooded one, and the thin supplied layer leaves the domain through the inlet.
-  const reynolds::OilBalance flow = fmg::oil_of(hierarchy, hierarchy.finest());
+  const reynolds::OilBalance flow = multigrid::oil_of(hierarchy, hierarchy.finest());
   inlet_ = grid.domain.line ? flow.out : flow.in;
 }
 
 void ContactDae::state(std::span<double> y) const {
-  const fmg::Level& level = hierarchy_.levels.back();
+  const multigrid::Level& level = hierarchy_.levels.back();
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     y[k] = level.P(i, j);
     y[nodes_ + k] = content(i, j);
@@ -72,7 +72,7 @@ void ContactDae::state(std::span<double> y) const {
 }
 
 void ContactDae::pose(double T, const Drive& drive, double cj) {
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   hierarchy_.transport.speed = drive.speed;
   hierarchy_.transport.squeeze = cj;
   level.load = W_ * drive.load - level.load_outside;
@@ -80,15 +80,15 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   hierarchy_.outside_line = {};
   hierarchy_.far_motion = {.load = drive.load};
   level.H_floor = 0.0;
-  level.scheme = fmg::scheme_of(hierarchy_.problem);
+  level.scheme = multigrid::scheme_of(hierarchy_.problem);
   if (course_.surface) course_.surface(level.grid, T, level.F);
   if (!conserves_mass()) return;
   hierarchy_.supply_factor = drive.supply;
-  fmg::supply_oil(hierarchy_, level);
+  multigrid::supply_oil(hierarchy_, level);
 }
 
 void ContactDae::set_state(double T, const Drive& drive, std::span<const double> y, std::span<const double> yp) {
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   pose(T, drive, 0.0);
   if (course_.body) {
     V_ = y[2 * nodes_ + 1];
@@ -99,14 +99,14 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
   hierarchy_.H00 = y[2 * nodes_];
   level.H00_of_boundary = hierarchy_.H00;
   take_motion(drive, course_.body ? -V_ : yp.empty() ? 0.0 : -yp[2 * nodes_]);
-  fmg::update_film(hierarchy_, level);
-  fmg::renew_load_outside(hierarchy_, level);
+  multigrid::update_film(hierarchy_, level);
+  multigrid::renew_load_outside(hierarchy_, level);
   set_content(y);
 }
 
 double ContactDae::carried() const {
-  const fmg::Level& level = hierarchy_.levels.back();
-  return (fmg::carried_load(level) + level.load_outside) / W_;
+  const multigrid::Level& level = hierarchy_.levels.back();
+  return (multigrid::carried_load(level) + level.load_outside) / W_;
 }
 
 // A moving body is not in equilibrium with the load, so the far field follows the carried load. The rate of change of
@@ -118,9 +118,9 @@ void ContactDae::take_motion(const Drive& drive, double approach) {
 }
 
 LoadBalance ContactDae::load_balance() const {
-  const fmg::Level& level = hierarchy_.levels.back();
-  const double carried_now = fmg::carried_load(level) + level.load_outside;
-  const double wanted = fmg::wanted_load(hierarchy_, level) + level.load_outside;
+  const multigrid::Level& level = hierarchy_.levels.back();
+  const double carried_now = multigrid::carried_load(level) + level.load_outside;
+  const double wanted = multigrid::wanted_load(hierarchy_, level) + level.load_outside;
   return {carried_now / W_, course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0)};
 }
 
@@ -129,10 +129,11 @@ LoadBalance ContactDae::load_balance() const {
 // stays the same: a change of load at almost constant film. If the required load depends on H00 (moving body, closed
 // far field), the shift of H00 contributes its part. Deformation = H - rigid gap(H00) - F.
 void ContactDae::balance_load() {
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   const core::Patch& grid = level.grid;
   const auto deformation = [&](int i, int j) {
-    return level.H(i, j) - fmg::rigid_gap(hierarchy_.problem.geometry, grid, hierarchy_.H00, i, j) - level.F(i, j);
+    return level.H(i, j) - multigrid::rigid_gap(hierarchy_.problem.geometry, grid, hierarchy_.H00, i, j) -
+           level.F(i, j);
   };
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())), 0, grid.nx);
   const int axis = std::clamp(static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy())), 0, grid.ny);
@@ -141,10 +142,10 @@ void ContactDae::balance_load() {
   const double slope = hierarchy_.load_line.slope + hierarchy_.outside_line.slope;
   if (course_.body || slope > 0.0) {
     if (course_.body) yielding = std::max(yielding, least_yielding);
-    const double carried_now = fmg::carried_load(level);
-    share = (fmg::wanted_load(hierarchy_, level) - carried_now) / (carried_now + slope * yielding);
+    const double carried_now = multigrid::carried_load(level);
+    share = (multigrid::wanted_load(hierarchy_, level) - carried_now) / (carried_now + slope * yielding);
   } else {
-    share = level.load / fmg::carried_load(level) - 1.0;
+    share = level.load / multigrid::carried_load(level) - 1.0;
   }
   const double shift = share * yielding;
   for_nodes(grid, [&](int i, int j, std::size_t) { level.H(i, j) += share * deformation(i, j) - shift; });
@@ -152,8 +153,8 @@ void ContactDae::balance_load() {
     for (int j = 1; j <= grid.last_line(); ++j) level.P(i, j) *= 1.0 + share;
   core::fill_ghosts(grid, level.P);
   hierarchy_.H00 -= shift;
-  fmg::follow_H00(hierarchy_, level);
-  fmg::update_coefficients(hierarchy_, level);
+  multigrid::follow_H00(hierarchy_, level);
+  multigrid::update_coefficients(hierarchy_, level);
 }
 
 double ContactDae::least_film(std::span<const double> y) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "newton/steps.hpp"
 #include "transient/body.hpp"
 #include "transient/ida.hpp"
@@ -66,10 +66,10 @@ class ContactDae {
  public:
   /// in: a hierarchy whose finest level holds the initial state and has the right-hand sides of a coarse level (see
   /// prepare()). The hierarchy must outlive this object.
-  ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control);
+  ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, const ErrorControl& control);
 
   std::size_t size() const { return 2 * nodes_ + (course_.body ? 2 : 1) + (conserves_mass() ? 1 : 0); }
-  bool conserves_mass() const { return fmg::conserves_mass(hierarchy_.levels.back()); }
+  bool conserves_mass() const { return multigrid::conserves_mass(hierarchy_.levels.back()); }
   std::size_t nodes() const { return nodes_; }
 
   /// Writes the state of the level to y.
@@ -117,10 +117,10 @@ class ContactDae {
 
  private:
   /// Method that solves the equations of an implicit step.
-  enum class Way { cycles, newton };
+  enum class Iteration { cycles, newton };
   void begin(const Stage& stage, const Drive& drive);
   StageResult solved(const Stage& stage, const Drive& drive, std::span<double> correction);
-  StageResult iterate(const Stage& stage, Way way, double& rate);
+  StageResult iterate(const Stage& stage, Iteration kind, double& rate);
   bool newton_can() const;
   bool balanced_by_cycle(const Stage& stage) const;
   double change(const Stage& stage, double H00_before);
@@ -131,12 +131,12 @@ class ContactDae {
   double content(int i, int j) const;
   bool at_edge(std::span<const double> y, int i, int j) const;
   void set_content(std::span<const double> y);
-  bool close_oil();
+  bool correct_mass();
   void spread_oil();
   bool released() const { return course_.body && course_.body->gap; }
   void count_oil(const Stage& stage);
 
-  fmg::Hierarchy& hierarchy_;
+  multigrid::Hierarchy& hierarchy_;
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
@@ -156,6 +156,6 @@ class ContactDae {
 };
 
 /// Allocates on the finest level the right-hand sides that a transient needs.
-void prepare(fmg::Hierarchy& hierarchy);
+void prepare(multigrid::Hierarchy& hierarchy);
 
 }  // namespace ehl::transient

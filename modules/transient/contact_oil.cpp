@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "core/norms.hpp"
-#include "fmg/oil.hpp"
+#include "multigrid/mass_balance.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/nodes.hpp"
 
 namespace ehl::transient {
 
 double ContactDae::content(int i, int j) const {
-  const fmg::Level& level = hierarchy_.levels.back();
+  const multigrid::Level& level = hierarchy_.levels.back();
   return conserves_mass() ? level.content(i, j) : level.rho_bar(i, j) * level.H(i, j);
 }
 
@@ -33,7 +33,7 @@ bool ContactDae::at_edge(std::span<const double> y, int i, int j) const {
 // IDA interpolates Q between two steps, and the result may exceed the full gap.
 void ContactDae::set_content(std::span<const double> y) {
   if (!conserves_mass()) return;
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     const double full = level.rho_bar(i, j) * level.H(i, j);
     level.content(i, j) = level.P(i, j) > 0.0 ? full : std::clamp(y[nodes_ + k], 0.0, full);
@@ -44,18 +44,18 @@ void ContactDae::set_content(std::span<const double> y) {
 
 void ContactDae::begin_oil() {
   if (!conserves_mass()) return;
-  if (!released()) close_oil();
+  if (!released()) correct_mass();
 }
 
 void ContactDae::count_from_here(std::span<double> y) {
   if (!conserves_mass()) return;
-  y.back() = oil_by_flows_ = fmg::stored_oil(hierarchy_.levels.back());
+  y.back() = oil_by_flows_ = multigrid::stored_oil(hierarchy_.levels.back());
 }
 
 // Oil at rest below a body that approaches: the supplied layer.
 void ContactDae::spread_oil() {
   if (!conserves_mass()) return;
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   for_nodes(level.grid, [&](int i, int j, std::size_t) {
     level.content(i, j) = std::min(level.supply[static_cast<std::size_t>(j)], level.rho_bar(i, j) * level.H(i, j));
   });
@@ -64,11 +64,11 @@ void ContactDae::spread_oil() {
 
 // Without this correction the algebraic errors in the rows of full nodes would add up from step to step. The excess is
 // a flow; times the length of the implicit step, about 1/squeeze, it is an amount of oil.
-bool ContactDae::close_oil() {
-  fmg::Level& level = hierarchy_.finest();
-  fmg::balance_oil(hierarchy_, level, inlet_);
+bool ContactDae::correct_mass() {
+  multigrid::Level& level = hierarchy_.finest();
+  multigrid::balance_mass(hierarchy_, level, inlet_);
   const double squeeze = hierarchy_.transport.squeeze;
-  const double excess = std::abs(fmg::oil_from_nowhere(hierarchy_, level));
+  const double excess = std::abs(multigrid::mass_defect(hierarchy_, level));
   from_nowhere_ = excess / (squeeze > 0.0 ? squeeze : 1.0) / inlet_;
   constexpr double closed = 1e-10;
   return from_nowhere_ <= closed;
@@ -76,20 +76,20 @@ bool ContactDae::close_oil() {
 
 void ContactDae::count_oil(const Stage& stage) {
   if (!conserves_mass()) return;
-  const double gain = fmg::oil_of(hierarchy_, hierarchy_.finest()).stored();
+  const double gain = multigrid::oil_of(hierarchy_, hierarchy_.finest()).stored();
   oil_by_flows_ = stage.y_predicted.back() + (gain - stage.yp_predicted.back()) / stage.cj;
 }
 
 OilInTime ContactDae::oil() const {
   if (!conserves_mass()) return {};
-  const reynolds::OilBalance flow = fmg::oil_of(hierarchy_, hierarchy_.levels.back());
-  const double stored = fmg::stored_oil(hierarchy_.levels.back());
+  const reynolds::OilBalance flow = multigrid::oil_of(hierarchy_, hierarchy_.levels.back());
+  const double stored = multigrid::stored_oil(hierarchy_.levels.back());
   return {stored, flow.in, flow.out, flow.aside, from_nowhere_, (oil_by_flows_ - stored) / inlet_};
 }
 
 core::Field ContactDae::theta() const {
-  const fmg::Level& level = hierarchy_.levels.back();
-  return conserves_mass() ? core::on_domain(level.grid, fmg::theta_of(level)) : core::Field();
+  const multigrid::Level& level = hierarchy_.levels.back();
+  return conserves_mass() ? core::on_domain(level.grid, multigrid::theta_of(level)) : core::Field();
 }
 
 }  // namespace ehl::transient

@@ -6,9 +6,9 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/boundary.hpp"
-#include "fmg/cycle.hpp"
-#include "fmg/cycles.hpp"
+#include "multigrid/boundary.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/cycles.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/nodes.hpp"
 
@@ -38,7 +38,7 @@ constexpr int most_by_newton = 32;
 
 // Norm of the last change, in IDA's weights.
 double ContactDae::change(const Stage& stage, double H00_before) {
-  const fmg::Level& level = hierarchy_.finest();
+  const multigrid::Level& level = hierarchy_.finest();
   const std::span<const double> weights = stage.weights;
   double sum = 0.0;
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
@@ -59,19 +59,20 @@ double ContactDae::change(const Stage& stage, double H00_before) {
 }
 
 void ContactDae::cycle() {
-  fmg::fas_cycle(hierarchy_, hierarchy_.levels.size() - 1, fmg::cautious(hierarchy_.parameters, {.all = weight_}));
-  fmg::renew_boundary(hierarchy_, hierarchy_.finest());
+  multigrid::fas_cycle(hierarchy_, hierarchy_.levels.size() - 1,
+                       multigrid::cautious(hierarchy_.parameters, {.all = weight_}));
+  multigrid::renew_boundary(hierarchy_, hierarchy_.finest());
 }
 
 // Sets the predicted state and the coefficients of the implicit step.
 void ContactDae::begin(const Stage& stage, const Drive& drive) {
-  fmg::Level& level = hierarchy_.finest();
+  multigrid::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
   hierarchy_.transport.squeeze = stage.cj;
   take_motion(drive, -stage.yp_predicted[2 * nodes_]);
   hierarchy_.far_motion.slope = stage.cj;
   hierarchy_.far_motion.origin = hierarchy_.H00;
-  fmg::renew_load_outside(hierarchy_, level);
+  multigrid::renew_load_outside(hierarchy_, level);
   if (course_.body) move_body(stage);
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
@@ -82,7 +83,7 @@ void ContactDae::begin(const Stage& stage, const Drive& drive) {
 }
 
 bool ContactDae::newton_can() const {
-  const fmg::Level& level = hierarchy_.levels.back();
+  const multigrid::Level& level = hierarchy_.levels.back();
   return level.grid.domain.line && !conserves_mass() && level.load > 0.0;
 }
 
@@ -91,11 +92,11 @@ bool ContactDae::balanced_by_cycle(const Stage& stage) const {
 }
 
 // measured: convergence factor; in: assumed for the first iteration, out: as last measured.
-StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
-  fmg::Level& level = hierarchy_.finest();
+StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& measured) {
+  multigrid::Level& level = hierarchy_.finest();
   StageResult result{.solved = false};
-  int& taken = way == Way::cycles ? result.cycles : result.newton_steps;
-  const bool balanced = way == Way::cycles && balanced_by_cycle(stage);
+  int& taken = kind == Iteration::cycles ? result.cycles : result.newton_steps;
+  const bool balanced = kind == Iteration::cycles && balanced_by_cycle(stage);
   double last = std::numeric_limits<double>::quiet_NaN();
   double least = std::numeric_limits<double>::infinity();
   int in_vain = 0;
@@ -103,7 +104,7 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
     const double H00_before = hierarchy_.H00;
     ++taken;
     try {
-      if (way == Way::cycles)
+      if (kind == Iteration::cycles)
         cycle();
       else if (!newton_->take())
         return result;
@@ -111,27 +112,27 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
       return result;
     }
     if (balanced) balance_load();
-    if (conserves_mass()) fmg::update_residual(hierarchy_, level);
+    if (conserves_mass()) multigrid::update_residual(hierarchy_, level);
     const double now = change(stage, H00_before);
     if (!std::isfinite(now)) return result;
     if (taken > 1) measured = std::max(best_rate, now / last);
     in_vain = now > worst_rate * least ? in_vain + 1 : 0;
-    if (in_vain >= (way == Way::cycles ? patience : patience_of_newton) && now > stage.tolerance) return result;
+    if (in_vain >= (kind == Iteration::cycles ? patience : patience_of_newton) && now > stage.tolerance) return result;
     const double rate = std::clamp(measured, taken == 1 ? best_first_rate : best_rate, worst_rate);
     result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
     if (result.solved && !balanced) {
       const double H00_of_cycle = hierarchy_.H00;
       balance_load();
-      if (conserves_mass()) fmg::update_residual(hierarchy_, level);
+      if (conserves_mass()) multigrid::update_residual(hierarchy_, level);
       result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
     }
     // If the oil balance cannot be closed, the cycles go on, and in the end the time step is cut.
-    if (result.solved && conserves_mass()) result.solved = close_oil();
+    if (result.solved && conserves_mass()) result.solved = correct_mass();
     last = now;
     least = std::min(least, now);
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
-  fmg::renew_load_outside(hierarchy_, level);
+  multigrid::renew_load_outside(hierarchy_, level);
   hierarchy_.outside_line = {};
   return result;
 }
@@ -150,7 +151,7 @@ StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span
   begin(stage, drive);
   StageResult result{.solved = false};
   if (newton_stages_ == 0) {
-    result = iterate(stage, Way::cycles, rate_);
+    result = iterate(stage, Iteration::cycles, rate_);
     if (result.solved) newton_next_ = 1;
   }
   if (!result.solved && newton_can()) {
@@ -163,7 +164,7 @@ StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span
     if (!newton_) newton_ = std::make_unique<newton::Steps>(hierarchy_);
     double rate = best_first_rate;
     const int cycles = result.cycles;
-    result = iterate(stage, Way::newton, rate);
+    result = iterate(stage, Iteration::newton, rate);
     result.cycles = cycles;
   }
   if (!result.solved) return result;

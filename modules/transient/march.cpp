@@ -8,10 +8,10 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "fmg/oil.hpp"
-#include "fmg/start.hpp"
 #include "judgement/measures.hpp"
-#include "steady/climb.hpp"
+#include "multigrid/mass_balance.hpp"
+#include "multigrid/start.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
 #include "transient/rest.hpp"
@@ -32,7 +32,7 @@ constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the
 /// One time integration.
 class March {
  public:
-  March(fmg::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
+  March(multigrid::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
         const Observer& observer, double of_unit, double line_unit)
       : hierarchy_(hierarchy),
         of_unit_(of_unit),
@@ -67,7 +67,7 @@ class March {
     Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_);
     if (from) dae_.set_weight(from->weight);
     // The relaxation multiplies its predicted change of the film by cj, so the prediction must be accurate.
-    fmg::take_line_zero(hierarchy_, line_unit_);
+    multigrid::take_line_zero(hierarchy_, line_unit_);
     report_.T = start.T;
     report_.restarts = start.restarts;
     frames_ = start.frames;
@@ -197,7 +197,7 @@ class March {
   }
 
   bool show(const StepReport& step) {
-    const fmg::Level& level = hierarchy_.finest();
+    const multigrid::Level& level = hierarchy_.finest();
     const core::Location Hm = core::minimum(level.H);
     const LoadBalance balance = dae_.load_balance();
     const StepRow row{.T = step.T,
@@ -245,7 +245,7 @@ class March {
     ++frames_;
     last_frame_ = T;
     if (!observer_.frame) return;
-    const fmg::Level& level = hierarchy_.finest();
+    const multigrid::Level& level = hierarchy_.finest();
     observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta()});
   }
 
@@ -258,7 +258,7 @@ class March {
     return false;
   }
 
-  fmg::Hierarchy& hierarchy_;
+  multigrid::Hierarchy& hierarchy_;
   double of_unit_;    ///< line contact: shift of H00 by the unit of length in the logarithm, per load
   double line_unit_;  ///< that unit of length
   const Conditions& conditions_;
@@ -283,10 +283,10 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const steady::Scene own = scene_in_time(scene, conditions);
   const double carried = contact::elastic_factor(own.shape) * contact::load(own.shape);
   const double of_unit = carried * std::log(own.deformation.line_unit);
-  fmg::Run run = steady::begin_climb(own, steady::Start{.coarsest = 32}, {});
-  fmg::Hierarchy& hierarchy = run.hierarchy;
+  multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
+  multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);
-  fmg::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
+  multigrid::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
   prepare(hierarchy);
   March under_way(hierarchy, conditions, parameters, observer, of_unit, own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))

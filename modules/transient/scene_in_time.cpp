@@ -22,14 +22,14 @@ constexpr double far_squeeze_of_line = 0.2;
 steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& conditions) {
   steady::Scene scene = steady;
   scene.use_symmetry = steady.use_symmetry && symmetric(conditions);
-  scene.multigrid.cycle = steady.multigrid.cycle.value_or(fmg::Cycle::V);  // V(2,1) suffices for a predicted state
-  scene.multigrid.pre = steady.multigrid.pre.value_or(2);
-  scene.multigrid.post = steady.multigrid.post.value_or(1);
+  scene.solver.cycle = steady.solver.cycle.value_or(multigrid::Cycle::V);  // V(2,1) suffices for a predicted state
+  scene.solver.pre = steady.solver.pre.value_or(2);
+  scene.solver.post = steady.solver.post.value_or(1);
   if (conditions.conserves_mass && !scene.supply)
     scene.supply = [](double) { return std::numeric_limits<double>::infinity(); };
   if (scene.grid.line) {
     scene.deformation.line_unit = unit_of_line * std::max(1.0, steady::contact_size(scene.M, scene.L, scene.shape));
-    fmg::RelaxationParameters& relaxation = scene.multigrid.relaxation;
+    multigrid::RelaxationParameters& relaxation = scene.solver.relaxation;
     relaxation.far_squeeze = relaxation.far_squeeze_beside = 0.0;
     relaxation.far_squeeze_of_zone = far_squeeze_of_line;
   }

@@ -8,8 +8,8 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/cycles.hpp"
-#include "fmg/start.hpp"
+#include "multigrid/cycles.hpp"
+#include "multigrid/start.hpp"
 #include "transient/jump.hpp"
 
 namespace ehl::transient {
@@ -30,14 +30,14 @@ constexpr double least_weight = 0.5;
 constexpr int cycles_per_bit = 3;
 
 // Residual after at most `most` cycles at T = 0 without squeeze; fewer if it is as small as rounding allows.
-double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& drive, int most) {
+double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& drive, int most) {
   dae.pose(0.0, drive, 0.0);
-  fmg::update_film(hierarchy, hierarchy.finest());
+  multigrid::update_film(hierarchy, hierarchy.finest());
   const std::size_t l = hierarchy.levels.size() - 1;
   double residual = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most; ++k) {
     dae.cycle();
-    const double now = fmg::measures_of(hierarchy, l).residual;
+    const double now = multigrid::measures_of(hierarchy, l).residual;
     if (!std::isfinite(now)) return now;
     const bool rounding = now < hopeless_residual && now > 0.9 * residual;
     residual = now;
@@ -47,7 +47,7 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
 }
 
 // Moves the current state to the steady state at T = 0. returns why that failed; empty if it succeeded.
-std::string way_to_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
+std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const int bits = bits_between(Drive{}, start);
   double residual = 0.0;
   try {
@@ -70,13 +70,13 @@ std::string way_to_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive&
 
 }  // namespace
 
-void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
+void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const std::size_t l = hierarchy.levels.size() - 1;
-  const fmg::State from = fmg::state_of(hierarchy, l);
+  const multigrid::State from = multigrid::state_of(hierarchy, l);
   std::string reason = way_to_rest(hierarchy, dae, start);
   while (!reason.empty() && less_weight * dae.weight() >= least_weight) {
     dae.set_weight(less_weight * dae.weight());
-    fmg::start_from_state(hierarchy, l, from);
+    multigrid::start_from_state(hierarchy, l, from);
     prepare(hierarchy);
     hierarchy.coarsest_weight = 1.0;
     reason = way_to_rest(hierarchy, dae, start);
@@ -86,7 +86,7 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   dae.balance_load();
 }
 
-Checkpoint first_state(fmg::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions) {
+Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions) {
   const Drive drive = drive_at(conditions, 0.0);
   if (conditions.body && conditions.body->gap)
     dae.release(drive);

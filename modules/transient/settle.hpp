@@ -1,6 +1,6 @@
 #pragma once
 // State at the start of a time integration.
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/march.hpp"
 
@@ -13,9 +13,9 @@ inline constexpr double settled_residual = 1e-9;
 /// surfaces: by increments, to rounding, with exact load.
 /// in: start, the drive at T = 0.
 /// errors: core::SolverError if that state is not found.
-void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
+void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
 
 /// y and y' at T = 0: the steady state, or a body at its gap.
-Checkpoint first_state(fmg::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions);
+Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions);
 
 }  // namespace ehl::transient

@@ -4,9 +4,9 @@
 #include "case/unavailable.hpp"
 #include "contact/keys.hpp"
 #include "dry/keys.hpp"
-#include "fmg/keys.hpp"
 #include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
+#include "multigrid/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "rheology/keys.hpp"
 #include "steady/keys.hpp"
@@ -38,7 +38,7 @@ deck::Catalogue collected() {
       {"output", "The result file and what it contains."},
   };
   all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
-                             reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys(), machines::keys()});
+                             reynolds::keys(), mlmi::keys(), multigrid::keys(), dry::keys(), machines::keys()});
   for (const Effect& effect : effects()) {
     all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;

@@ -25,8 +25,8 @@ Effect elliptic_effect() {
               },
           .asymmetry =
               [](const Case& input) {
-                const bool aslant = contact::gap(input.scene.shape).aslant();
-                return aslant ? fmt::format("rolling at {:.4g} degrees", input.scene.shape.angle) : std::string();
+                const bool oblique = contact::gap(input.scene.shape).oblique();
+                return oblique ? fmt::format("rolling at {:.4g} degrees", input.scene.shape.angle) : std::string();
               },
           .example = {"contact.radius_ratio=0.5"}};
 }

@@ -13,7 +13,7 @@
 #include "deck/text.hpp"
 #include "effects/friction/beyond.hpp"
 #include "effects/friction/keys.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -167,7 +167,7 @@ Friction friction_of(friction::Parameters parameters, const steady::Scene& scene
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
   friction::Parameters parameters = parameters_of(input);
-  parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
+  parameters.oblique = !input.scene.grid.line && !steady::on_one_half(input.scene);
   friction::Friction found = friction_of(parameters, input.scene,
                                          {.grid = solution.grid,
                                           .P = solution.P,

@@ -16,7 +16,7 @@
 #include "deck/text.hpp"
 #include "effects/roller/keys.hpp"
 #include "effects/roller/scene.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/solve.hpp"
 
 namespace ehl::program {
@@ -62,7 +62,7 @@ std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced
   scene.grid = core::coarsened(scene.grid);
   scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
   scene.adjoint_errors = scene.error_maps = false;
-  if (scene.multigrid.coarsest_cells > scene.grid.nx) scene.multigrid.coarsest_cells = 0;
+  if (scene.solver.coarsest_cells > scene.grid.nx) scene.solver.coarsest_cells = 0;
   if (traced) scene.one_start_only = "an error bar is worth one start";
   try {
     steady::Solution solution = steady::solve(scene, [&](const steady::Progress& now) {

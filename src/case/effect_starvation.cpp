@@ -58,7 +58,7 @@ Effect starvation_effect() {
           .meaning = "Starved lubrication: the surfaces bring a limited amount of oil, and cavitation conserves mass.",
           .stage = Stage::unknowns,
           .without = "fully flooded",
-          .sections = {{.name = "supply", .called_by = starvation::ways()}},
+          .sections = {{.name = "supply", .called_by = starvation::supply_keys()}},
           .keys = starvation::keys,
           .read = supply_input,
           .on = [](const Case& input) { return static_cast<bool>(input.scene.supply); },

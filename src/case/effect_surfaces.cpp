@@ -28,8 +28,8 @@ std::string what(const Case& input) {
   for (const CarriedSurface* one : carried(input.surfaces)) {
     std::string text = one->shape + " on " + one->section;
     if (input.transient) {
-      const Way way = way_of(*one, *input.transient);
-      text += fmt::format(" (x = {:.4g} to {:.4g} a)", way.from, way.to);
+      const Travel travel = travel_of(*one, *input.transient);
+      text += fmt::format(" (x = {:.4g} to {:.4g} a)", travel.from, travel.to);
     } else if (!input.dry) {
       text += ", at rest";
     }

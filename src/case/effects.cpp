@@ -9,7 +9,7 @@
 #include "base/text_format.hpp"
 #include "core/constants.hpp"
 #include "deck/text.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
 namespace {

@@ -35,9 +35,9 @@ steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& se
                                    const steady::ProgressCallback& progress) {
   scene.supply = {};
   scene.adjoint_errors = false;
-  steady::Solution cold = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal));
+  steady::Solution cold = steady::solve(scene, multigrid::part_of(progress, 0.0, share_of_isothermal));
   if (!cold.converged) return cold;
-  return heat::solve(scene, setup, cold, fmg::part_of(progress, share_of_isothermal, 1.0)).film;
+  return heat::solve(scene, setup, cold, multigrid::part_of(progress, share_of_isothermal, 1.0)).film;
 }
 
 void take_friction(const Case& input, const steady::Solution& film, HeatResult& result) {
@@ -61,7 +61,7 @@ std::string advice_for_undone(const Case& input, const steady::Solution& before)
 
 // Solves the isothermal film, then the film with heat or flow thinning; only the former if it does not converge.
 FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
-  FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal))};
+  FilmSolution solution{.film = steady::solve(scene, multigrid::part_of(progress, 0.0, share_of_isothermal))};
   if (!solution.film.converged) return solution;
   const steady::Solution& before = solution.film;
   HeatResult result;
@@ -70,7 +70,7 @@ FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const 
   const friction::Friction isothermal_friction = friction_of(input, before, nullptr);
   result.mu_isothermal = isothermal_friction.sliding;
   result.unlikely_isothermal = friction::unlikely(isothermal_friction);
-  result.found = heat::solve(scene, setup_of(input), before, fmg::part_of(progress, share_of_isothermal, 1.0));
+  result.found = heat::solve(scene, setup_of(input), before, multigrid::part_of(progress, share_of_isothermal, 1.0));
   if (result.found.undone) result.found.film.failed_check += advice_for_undone(input, before);
   const std::optional<steady::Starvation> isothermal = before.starvation;
   solution.film = std::move(result.found.film);
@@ -112,9 +112,9 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
     return film;
   };
   const double share = 1.0 / (scene.passes.number + 1.0);
-  const steady::Solution flooded = flooded_with_heat(scene, setup_of(input), fmg::part_of(progress, 0.0, share));
+  const steady::Solution flooded = flooded_with_heat(scene, setup_of(input), multigrid::part_of(progress, 0.0, share));
   last.film = steady::solve_passes(scene, steady::carried_at_centre(scene, flooded), find, go_on,
-                                   fmg::part_of(progress, share, 1.0));
+                                   multigrid::part_of(progress, share, 1.0));
   last.film.starvation = steady::starvation_of(scene, last.film, flooded);
   steady::add_errors_of_supply(last.film.passes, last.film.error_bars);
   last.film.warnings = steady::warnings_of(scene, last.film);
@@ -127,12 +127,13 @@ FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const st
   if (!(input.heat || input.flow_thinning)) return {.film = steady::solve(scene, progress)};
   if (!scene.supply) return solve_in_turn(input, scene, progress);
   if (scene.passes.number > 1) return solve_passes(input, scene, progress);
-  FilmSolution solution = solve_in_turn(input, scene, fmg::part_of(progress, 0.0, share_of_starved));
+  FilmSolution solution = solve_in_turn(input, scene, multigrid::part_of(progress, 0.0, share_of_starved));
   const HeatResult* heat = solution.heat ? &*solution.heat : nullptr;
   if (heat == nullptr) return solution;
   const double seconds = solution.film.starvation->seconds + heat->found.seconds;
   solution.film.starvation = steady::starvation_of(
-      scene, solution.film, flooded_with_heat(scene, setup_of(input), fmg::part_of(progress, share_of_starved, 1.0)));
+      scene, solution.film,
+      flooded_with_heat(scene, setup_of(input), multigrid::part_of(progress, share_of_starved, 1.0)));
   solution.film.starvation->seconds = seconds;
   solution.film.warnings = steady::warnings_of(scene, solution.film);
   return solution;

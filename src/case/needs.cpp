@@ -10,9 +10,9 @@
 #include "case/touching.hpp"
 #include "deck/text.hpp"
 #include "steady/accuracy.hpp"
-#include "steady/climb.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/larger_domain.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/resolution.hpp"
 
 namespace ehl::program {
@@ -29,8 +29,8 @@ double seconds_of_coarsest(const steady::Scene& scene) {
   constexpr double usual = 1e4;  // nodes; below this the estimate of the cycles includes the coarsest grid
   constexpr double sweeps = 2500.0;
   constexpr double seconds_per_node_and_sweep = 1e-7;
-  const int wanted = scene.multigrid.coarsest_cells > 0 ? scene.multigrid.coarsest_cells
-                                                        : 2 * scene.multigrid.least_coarsest_cells - 1;
+  const int wanted =
+      scene.solver.coarsest_cells > 0 ? scene.solver.coarsest_cells : 2 * scene.solver.least_coarsest_cells - 1;
   core::Grid grid = scene.grid;
   while (grid.nx > wanted && grid.nx % 2 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
@@ -59,7 +59,7 @@ Needs basic_needs(const steady::Scene& scene) {
   constexpr double evaluations_per_cycle = 8.0;
   constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors of the Jacobian
   constexpr double newton_seconds_per_node = 4e-5;
-  const fmg::Parameters& multigrid = scene.multigrid;
+  const multigrid::Parameters& multigrid = scene.solver;
   const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
   Needs needs;
   needs.bytes = nodes * doubles_per_node * sizeof(double) + program_itself;
@@ -75,7 +75,7 @@ Needs basic_needs(const steady::Scene& scene) {
   return needs;
 }
 
-core::Grid foretold_grid(const steady::Scene& scene) {
+core::Grid predicted_grid(const steady::Scene& scene) {
   core::Grid grid = scene.grid;
   double allowed = scene.accuracy.error;
   if (std::isnan(allowed)) return grid;
@@ -118,7 +118,7 @@ double time_of_roughness(const Case& input) {
 
 Needs expected_needs(const Case& input) {
   steady::Scene scene = input.scene;
-  if (!input.dry) scene.grid = foretold_grid(scene);
+  if (!input.dry) scene.grid = predicted_grid(scene);
   Needs basic = basic_needs(scene);
   basic.seconds *= time_of_roughness(input);
   Needs needs = with_effects(input, basic);

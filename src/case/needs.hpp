@@ -13,7 +13,7 @@ struct Needs {
 /// The grid of the deck. If an accuracy is asked for, the grid that will be found for it, to within one level, from
 /// rough estimates of two errors: that of the mesh, from the cell size relative to the zone in which the film is
 /// formed, and that of the domain, which decreases with the square of its size.
-core::Grid foretold_grid(const steady::Scene& scene);
+core::Grid predicted_grid(const steady::Scene& scene);
 
 /// The needs of the basic model alone, and with the effects of the case. The time is that of a full multigrid solution
 /// at the first attempt on a machine of the 2020s, to within a factor of 2.

@@ -17,12 +17,12 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "effects/roller/slices.hpp"
-#include "fmg/keys.hpp"
 #include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
+#include "multigrid/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "steady/keys.hpp"
-#include "steady/rescue.hpp"
+#include "steady/newton_fallback.hpp"
 #include "steady/resolution.hpp"
 
 namespace ehl::program {
@@ -177,7 +177,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.physics = result.dry ? dry_physics(*result.dry) : physical_input(deck);
   steady::Scene& scene = result.scene;
   scene.deformation = mlmi::read(deck);
-  scene.multigrid = fmg::read(deck);
+  scene.solver = multigrid::read(deck);
   const contact::Groups& groups = result.physics.groups;
   settle_boundary_of_supply(deck);
   if (contact::roller(groups.shape)) {
@@ -201,7 +201,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(groups.shape),
                                                    contact::line(groups.shape) && !contact::roller(groups.shape));
   scene.grid = grid.finest;
-  scene.multigrid.coarsest_cells = grid.coarsest;
+  scene.solver.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
   scene.continuation = steady::read_continuation(deck, groups.M, newton_of(result.physics));
   scene.polish = steady::read_polish(deck);
@@ -234,9 +234,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   deck::throw_if_wrong(deck);
   scene.one_start_only = why_they_touch(result);
   const bool large =
-      static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y() > steady::most_nodes_of_two_rescues;
+      static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y() > steady::most_nodes_of_second_newton;
   if (!scene.one_start_only.empty() && large && !given(deck, "multigrid", "max_cycles"))
-    scene.multigrid.max_cycles = most_cycles_where_they_touch;
+    scene.solver.max_cycles = most_cycles_where_they_touch;
 
   result.files = deck::named_files(deck);
   return result;

@@ -73,7 +73,7 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
     text += fmt::format("  {:<11} {:6.4f}  {:6.4f}  {}  {}  {:7.4f}  {:6.3f} a  {}  {:>11}  {:5}{}\n", pass.number,
                         pass.supply_ratio, pass.factor, film(pass.Hc), film(pass.Hm), pass.P_max, pass.meniscus_X,
                         film(pass.left), std::isfinite(formula) ? film(formula) : "-", pass.steps,
-                        pass.swings ? "  chatters" : "");
+                        pass.chatters ? "  chatters" : "");
   }
   if (const double error = solution.passes.back().supply_error; passes > 1 && std::isfinite(error))
     text += fmt::format(
@@ -133,7 +133,7 @@ std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution
       {"steps", "-", "cycles, or steps of Newton's method", &Pass::steps},
       column<Pass>(id::residual, &Pass::residual),
       {"first_order", "-", "nodes at the edge of the film behind which the flux is of first order", &Pass::first_order},
-      {"chatters", "-", "1: a node at the edge of the film chatters", &Pass::swings}};
+      {"chatters", "-", "1: a node at the edge of the film chatters", &Pass::chatters}};
   if (const double between = deck::number(input.deck, "supply", "pass_time"); std::isfinite(between))
     columns.insert(columns.begin() + 1,
                    {id::time, "s", "at the pass", [between](const Pass& pass) { return (pass.number - 1) * between; }});

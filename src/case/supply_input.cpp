@@ -104,7 +104,7 @@ void supply_input(Case& input) {
     return;
   }
   const deck::Part supply{deck, "supply"};
-  const std::string first = supply.given_of(starvation::ways())[0];
+  const std::string first = supply.given_of(starvation::supply_keys())[0];
   if (input.dry)
     return supply.complain(first, "is not available for a dry contact: remove [supply], or [case] kind = dry");
   if (input.transient && supply.integer("passes", 1) > 1)

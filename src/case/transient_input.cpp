@@ -47,7 +47,7 @@ const transient::Schedule& speed_of(const CarriedSurface& surface, const transie
 
 }  // namespace
 
-Way way_of(const CarriedSurface& surface, const transient::Input& input) {
+Travel travel_of(const CarriedSurface& surface, const transient::Input& input) {
   const double X = std::visit([](const auto& relief) { return relief.X; }, surface.relief);
   return {X, X + transient::integral(speed_of(surface, input), input.parameters.end)};
 }

@@ -19,12 +19,12 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics&
 double steepest_load(const deck::Deck& deck, const Physics& physics);
 
 /// X of the centre of a surface's relief at time 0 and at the end.
-struct Way {
+struct Travel {
   double from = 0.0;
   double to = 0.0;
 };
 /// The path of a surface during a run in time.
-Way way_of(const CarriedSurface& surface, const transient::Input& input);
+Travel travel_of(const CarriedSurface& surface, const transient::Input& input);
 
 /// Time in a/u_m at which a surface has moved by a distance in a, past the end of the run too, where its speed stays
 /// the last one. in: distance > 0. out: NaN if it never moves so far.

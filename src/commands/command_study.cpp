@@ -97,26 +97,26 @@ std::vector<int> reference_grids(const Arguments& arguments, const Grids& grids,
 
 Case reference_case(const Grids& grids, int cells) {
   Case input = grids.on(cells);
-  input.scene.multigrid.tolerance = reference_tolerance;
-  input.scene.multigrid.max_cycles = std::max(input.scene.multigrid.max_cycles, reference_cycles);
+  input.scene.solver.tolerance = reference_tolerance;
+  input.scene.solver.max_cycles = std::max(input.scene.solver.max_cycles, reference_cycles);
   input.scene.threads = usable_cores();
   return input;
 }
 
 // Each method on its grid, measured once.
-std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at_once, bool quiet,
+std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& variants, int at_once, bool quiet,
                                       const std::function<Case(int cells)>& on_grid) {
   return computed_rows<StudyPoint, StudyCase>(
-      ways, at_once, quiet, [&](const StudyCase& way) { return measure(on_grid(way.cells), way); },
-      [](const StudyCase& way) { return std::to_string(way.cells) + " cells, " + name_of_way(way); });
+      variants, at_once, quiet, [&](const StudyCase& variant) { return measure(on_grid(variant.cells), variant); },
+      [](const StudyCase& variant) { return std::to_string(variant.cells) + " cells, " + name_of_variant(variant); });
 }
 
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
-  std::vector<StudyCase> ways;
-  for (const int one : cells) ways.push_back({one, "upstream3", "fft", "run"});
+  std::vector<StudyCase> variants;
+  for (const int one : cells) variants.push_back({one, "upstream3", "fft", "run"});
   if (!quiet) std::fprintf(stderr, "ehl: the reference, on %zu grids\n", cells.size());
   const std::vector<StudyPoint> solutions =
-      measured_once(ways, 1, quiet, [&](int one) { return reference_case(grids, one); });
+      measured_once(variants, 1, quiet, [&](int one) { return reference_case(grids, one); });
   const Reference reference = reference_of(solutions);
   if (reference.cells.size() < 2)
     throw core::SolverError("the reference needs second-order solutions with a residual of 1e-10 on two grids: " +
@@ -124,14 +124,14 @@ Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool
   return reference;
 }
 
-std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& ways, const StudyHeader& header,
+std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& variants, const StudyHeader& header,
                                  bool quiet) {
-  if (!quiet) std::fprintf(stderr, "ehl: %zu variants, %d times each\n", ways.size(), header.repeats);
+  if (!quiet) std::fprintf(stderr, "ehl: %zu variants, %d times each\n", variants.size(), header.repeats);
   const std::vector<StudyPoint> all =
-      measured_once(repeated(ways, header.repeats), header.jobs, quiet, [&](int cells) { return grids.on(cells); });
-  std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(ways.size()));
-  for (std::size_t k = ways.size(); k < all.size(); ++k) {
-    StudyPoint& kept = points[k % ways.size()];
+      measured_once(repeated(variants, header.repeats), header.jobs, quiet, [&](int cells) { return grids.on(cells); });
+  std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(variants.size()));
+  for (std::size_t k = variants.size(); k < all.size(); ++k) {
+    StudyPoint& kept = points[k % variants.size()];
     if (kept.status == "failed")
       kept = all[k];
     else if (all[k].status != "failed")
@@ -168,14 +168,14 @@ int study(const Arguments& arguments) {
     throw core::InputError("command line: --rtol is for runs in time, but the deck has no [transient] end_time");
   const StudyPlan plan = plan_of(arguments, grids, input);
   for (const int cells : plan.cells) grids.on(cells);  // finds errors of the deck before the computation begins
-  const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
-  if (ways.empty())
+  const std::vector<StudyCase> variants = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
+  if (variants.empty())
     throw core::InputError("command line: --evaluators direct: no grid is small enough, the limit is 20000 nodes");
   const std::vector<int> finest = reference_grids(arguments, grids, plan.cells.back());
   results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});
 
   const Reference reference = find_reference(grids, finest, quiet);
-  std::vector<StudyPoint> points = measured(grids, ways, header, quiet);
+  std::vector<StudyPoint> points = measured(grids, variants, header, quiet);
   judge(reference, points);
   write_table(path, study_csv(header, reference, points), arguments.has("overwrite"));
   print(study_report(header, reference, points) + "\ntable        " + path + "\n");

@@ -49,22 +49,24 @@ std::vector<double> tolerances(const Arguments& arguments) {
 }
 
 // in: look: record the film at the times of comparison; the run is then not timed.
-std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
-                                     bool quiet) {
-  return computed_rows<TimeStudyPoint, TimeWay>(
-      ways, at_once, quiet, [&](const TimeWay& way) { return measure_in_time(input, way, look ? samples : 0); },
-      [&](const TimeWay& way) { return name_of_way(way) + (look ? "" : ", timed"); });
+std::vector<TimeStudyPoint> run_variants(const Case& input, const std::vector<TimeVariant>& variants, bool look,
+                                         int at_once, bool quiet) {
+  return computed_rows<TimeStudyPoint, TimeVariant>(
+      variants, at_once, quiet,
+      [&](const TimeVariant& variant) { return measure_in_time(input, variant, look ? samples : 0); },
+      [&](const TimeVariant& variant) { return name_of_variant(variant) + (look ? "" : ", timed"); });
 }
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
   input.scene.threads = usable_cores();
   input.transient->parameters.most_steps = most_steps;  // the limit of the deck is meant for its own tolerance
-  const TimeWay way{tighter * rtol, shorter * longest_step};
-  const TimeWay coarser{coarser_rtol * way.rtol, coarser_step * way.longest_step};
+  const TimeVariant variant{tighter * rtol, shorter * longest_step};
+  const TimeVariant coarser{coarser_rtol * variant.rtol, coarser_step * variant.longest_step};
   if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that estimates its error\n");
-  std::vector<TimeStudyPoint> runs = run_ways(input, {coarser, way}, true, 1, quiet);
+  std::vector<TimeStudyPoint> runs = run_variants(input, {coarser, variant}, true, 1, quiet);
   for (const TimeStudyPoint& run : runs)
-    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of_way(run.way) + ": " + run.reason);
+    if (!is_complete(run))
+      throw core::SolverError("the reference, " + name_of_variant(run.variant) + ": " + run.reason);
   TimeReference reference{std::move(runs[1]), std::move(runs[0]), {}, input.transient->parameters.probes};
   reference.errors = errors_in_time(reference.run, reference.coarser);
   return reference;
@@ -72,15 +74,16 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
 
 std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double>& rtols, double longest_step,
                                      const StudyHeader& header, bool quiet) {
-  std::vector<TimeWay> ways;
-  for (const double rtol : rtols) ways.push_back({rtol, longest_step});
+  std::vector<TimeVariant> variants;
+  for (const double rtol : rtols) variants.push_back({rtol, longest_step});
   if (!quiet)
     std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", rtols.size(),
                  header.repeats);
-  std::vector<TimeStudyPoint> points = run_ways(input, ways, true, header.jobs, quiet);
+  std::vector<TimeStudyPoint> points = run_variants(input, variants, true, header.jobs, quiet);
   for (TimeStudyPoint& point : points)
     point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // the time includes recording and does not count
-  const std::vector<TimeStudyPoint> timed = run_ways(input, repeated(ways, header.repeats), false, header.jobs, quiet);
+  const std::vector<TimeStudyPoint> timed =
+      run_variants(input, repeated(variants, header.repeats), false, header.jobs, quiet);
   for (std::size_t k = 0; k < timed.size(); ++k) add_repetition(timed[k], points[k % points.size()]);
   return points;
 }

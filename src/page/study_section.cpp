@@ -22,10 +22,10 @@ namespace {
 // The rows of each method (the columns `by`), each sorted from coarse to fine.
 std::vector<std::vector<std::size_t>> ways_of(const SweepData& table, const std::vector<std::string>& by,
                                               const std::string& along) {
-  std::vector<std::vector<std::size_t>> ways = curves_by(table, by);
-  for (std::vector<std::size_t>& way : ways)
-    std::ranges::stable_sort(way, {}, [&](std::size_t row) { return table.number(row, along); });
-  return ways;
+  std::vector<std::vector<std::size_t>> variants = curves_by(table, by);
+  for (std::vector<std::size_t>& variant : variants)
+    std::ranges::stable_sort(variant, {}, [&](std::size_t row) { return table.number(row, along); });
+  return variants;
 }
 
 std::string name_of_rows(const SweepData& table, const std::vector<std::string>& by, std::size_t row) {
@@ -69,9 +69,9 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
                   si ? "h<sub>m</sub> [nm]" : id::Hm, "error", "order", "work units", id::seconds},
                  {},
                  "numbers"};
-  for (const std::vector<std::size_t>& way : ways_of(table, by, along))
-    for (std::size_t k = 0; k < way.size(); ++k) {
-      const std::size_t row = way[k];
+  for (const std::vector<std::size_t>& variant : ways_of(table, by, along))
+    for (std::size_t k = 0; k < variant.size(); ++k) {
+      const std::size_t row = variant[k];
       const bool good = done(table, row);
       const std::string mark = good ? "" : "*";
       const auto film = [&](const std::string& column, const std::string& name) {
@@ -81,8 +81,8 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
       };
       const auto order = [&](const char* name) {
         if (k == 0) return std::string("–");
-        const std::string found = order_words(table, way[k - 1], row, name, along);
-        return found + (found == "–" || (good && done(table, way[k - 1])) ? "" : "*");
+        const std::string found = order_words(table, variant[k - 1], row, name, along);
+        return found + (found == "–" || (good && done(table, variant[k - 1])) ? "" : "*");
       };
       made.rows.push_back({k == 0 ? escaped(name_of_rows(table, by, row)) : "", escaped(table.cell(row, along)),
                            good ? "converged" : not_converged_cell(escaped(table.cell(row, id::status))),
@@ -115,11 +115,11 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
   const std::string symbol = film_symbol(name);
   Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
   std::vector<LegendEntry> legend;
-  const auto ways = ways_of(table, by, along);
+  const auto variants = ways_of(table, by, along);
   std::vector<std::string> first;
-  for (const auto& way : ways) {
+  for (const auto& variant : variants) {
     std::vector<double> at, error, at_good, good;
-    for (const std::size_t row : way) {
+    for (const std::size_t row : variant) {
       at.push_back(table.number(row, x));
       error.push_back(table.number(row, column));
       if (done(table, row)) {
@@ -128,7 +128,7 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
       }
     }
     // The colour shows the scheme; the dashes distinguish the methods of one scheme.
-    const std::string scheme = by.empty() ? "" : table.cell(way[0], by.front());
+    const std::string scheme = by.empty() ? "" : table.cell(variant[0], by.front());
     const auto known = std::ranges::find(first, scheme);
     const auto colour = static_cast<std::size_t>(known - first.begin());
     const bool is_new = known == first.end();

@@ -42,7 +42,7 @@ std::optional<Formula> fitted_film(const Physics& physics) {
 
 std::string fitted_film_line(const Physics& physics) {
   const contact::Ellipse& shape = physics.groups.shape;
-  if (contact::line(shape) || contact::roller(shape) || contact::gap(shape).aslant()) return {};
+  if (contact::line(shape) || contact::roller(shape) || contact::gap(shape).oblique()) return {};
   const double L_star = film_coefficients(physics).L_star;
   if (std::isnan(L_star)) return {};
   if (!contact::film_map(physics.groups.M, L_star, shape))

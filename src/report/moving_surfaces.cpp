@@ -25,16 +25,16 @@ void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& 
   if (feature && feature->angle != 0.0) return;  // an oblique feature reaches the contact at some Y
   const double inlet = -contact::extent(input.scene.shape).X;
   const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one.relief).length_x();
-  const Way way = way_of(one, *input.transient);
-  if (std::max(way.from, way.to) + ahead >= inlet) return;
-  const double arrival = time_to_move(one, *input.transient, inlet - ahead - way.from);
+  const Travel travel = travel_of(one, *input.transient);
+  if (std::max(travel.from, travel.to) + ahead >= inlet) return;
+  const double arrival = time_to_move(one, *input.transient, inlet - ahead - travel.from);
   const std::string remedy = std::isnan(arrival)
                                  ? "it does not move towards the contact: choose x closer to it, or another speed"
                                  : "it would at time " + in_unit_of_deck(input, arrival) +
                                        ": give a longer end_time, or x closer to the contact";
   warnings.push_back({"late-feature", fmt::format("{} on {} does not reach the contact: its centre is at x = {:.4g} a "
                                                   "at time 0 and at x = {:.4g} a at the end, {}; {}",
-                                                  one.shape, one.section, way.from, way.to,
+                                                  one.shape, one.section, travel.from, travel.to,
                                                   in_unit_of_deck(input, input.transient->parameters.end), remedy)});
 }
 

@@ -137,7 +137,7 @@ std::string derived(const Case& input) {
   text += std::string("method       wedge ") + name(scene.wedge) + ", face " + name(scene.face) + "; deformation " +
           name(scene.deformation.method) + "\n";
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
-  if (const core::Grid grid = foretold_grid(scene); !std::isnan(scene.accuracy.error))
+  if (const core::Grid grid = predicted_grid(scene); !std::isnan(scene.accuracy.error))
     text += fmt::format("accuracy     {:g}: about {} nodes on [{:.4g}, {:.4g}] x [{:.4g}, {:.4g}]\n",
                         scene.accuracy.error, nodes(grid.nx, grid.ny), grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
   core::Warnings warnings = hardly_meant(input);

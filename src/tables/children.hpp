@@ -50,22 +50,22 @@ bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const C
 /// died, its row has the status "failed" and the reason.
 /// in: the methods; how many run at a time; name: the name of a method for the reader. errors: core::Interrupted;
 /// core::FileError as above.
-template <class Row, class Way>
-std::vector<Row> computed_rows(const std::vector<Way>& ways, int at_once, bool quiet,
-                               const std::function<Row(const Way&)>& compute,
-                               const std::function<std::string(const Way&)>& name) {
-  std::vector<Row> rows(ways.size());
-  for (std::size_t k = 0; k < ways.size(); ++k) rows[k].way = ways[k];
+template <class Row, class Variant>
+std::vector<Row> computed_rows(const std::vector<Variant>& variants, int at_once, bool quiet,
+                               const std::function<Row(const Variant&)>& compute,
+                               const std::function<std::string(const Variant&)>& name) {
+  std::vector<Row> rows(variants.size());
+  for (std::size_t k = 0; k < variants.size(); ++k) rows[k].variant = variants[k];
   std::vector<std::size_t> tasks(rows.size());
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(quiet);
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t k, const Say&) { return text_of(compute(ways[k])); };
+  calls.task = [&](std::size_t k, const Say&) { return text_of(compute(variants[k])); };
   calls.waits = [&](const ChildAtWork& child) {
     progress.show(static_cast<double>(done) / static_cast<double>(rows.size()),
-                  name(ways[child.task]) + ", " + std::to_string(static_cast<int>(child.seconds)) + " s so far");
+                  name(variants[child.task]) + ", " + std::to_string(static_cast<int>(child.seconds)) + " s so far");
   };
   calls.ended = [&](const ChildEnd& end) {
     Row& row = rows[end.task];
@@ -75,7 +75,7 @@ std::vector<Row> computed_rows(const std::vector<Way>& ways, int at_once, bool q
       row.status = "failed";
       row.reason = end.reason;
     }
-    progress.count(++done, rows.size(), name(ways[end.task]) + "  " + row.status);
+    progress.count(++done, rows.size(), name(variants[end.task]) + "  " + row.status);
   };
   const bool finished = run_in_children(tasks, at_once, calls);
   progress.clear();

@@ -72,8 +72,8 @@ std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*
   std::size_t best = points.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool lasting = std::all_of(points.begin(), points.end(), [&](const StudyPoint& finer) {
-      return finer.way.cells < points[k].way.cells || name_of_way(finer.way) != name_of_way(points[k].way) ||
-             good(finer);
+      return finer.variant.cells < points[k].variant.cells ||
+             name_of_variant(finer.variant) != name_of_variant(points[k].variant) || good(finer);
     });
     if (good(points[k]) && lasting && (best == points.size() || points[k].seconds < points[best].seconds)) best = k;
   }

@@ -88,25 +88,27 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
   return read_lubricated_case(path, all, threads, "study");
 }
 
-void use_way(const StudyCase& way, steady::Scene& scene) {
-  scene.wedge = way.wedge == "upstream1"   ? reynolds::Wedge::upstream1
-                : way.wedge == "upstream2" ? reynolds::Wedge::upstream2
-                                           : reynolds::Wedge::upstream3;
+void use_way(const StudyCase& variant, steady::Scene& scene) {
+  scene.wedge = variant.wedge == "upstream1"   ? reynolds::Wedge::upstream1
+                : variant.wedge == "upstream2" ? reynolds::Wedge::upstream2
+                                               : reynolds::Wedge::upstream3;
   scene.face = reynolds::third_order(scene.wedge) ? reynolds::Face::logmean_bounded : reynolds::Face::mean;
-  if (way.evaluator == "fft" || way.evaluator == "direct") {
-    scene.deformation.method = way.evaluator == "fft" ? mlmi::Method::fft : mlmi::Method::direct;
+  if (variant.evaluator == "fft" || variant.evaluator == "direct") {
+    scene.deformation.method = variant.evaluator == "fft" ? mlmi::Method::fft : mlmi::Method::direct;
   } else {
     scene.deformation.method = mlmi::Method::mlmi;
-    scene.deformation.order = way.evaluator.back() - '0';
+    scene.deformation.order = variant.evaluator.back() - '0';
   }
-  if (way.cycles == "run") return;
-  const char shape = way.cycles.back();
-  scene.multigrid.cycle = shape == 'V' ? fmg::Cycle::V : shape == 'F' ? fmg::Cycle::F : fmg::Cycle::W;
-  if (!scene.multigrid.post) scene.multigrid.post = 1;
-  scene.multigrid.cycles = scene.multigrid.max_cycles = std::stoi(way.cycles);
-  scene.multigrid.extra_cycles = 0;
+  if (variant.cycles == "run") return;
+  const char shape = variant.cycles.back();
+  scene.solver.cycle = shape == 'V' ? multigrid::Cycle::V : shape == 'F' ? multigrid::Cycle::F : multigrid::Cycle::W;
+  if (!scene.solver.post) scene.solver.post = 1;
+  scene.solver.cycles = scene.solver.max_cycles = std::stoi(variant.cycles);
+  scene.solver.extra_cycles = 0;
 }
 
-std::string name_of_way(const StudyCase& way) { return way.wedge + ", " + way.evaluator + ", " + way.cycles; }
+std::string name_of_variant(const StudyCase& variant) {
+  return variant.wedge + ", " + variant.evaluator + ", " + variant.cycles;
+}
 
 }  // namespace ehl::program

@@ -59,18 +59,18 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
 
 /// Sets the method in the scene. For a fixed number of cycles, this number becomes the limit of cycles, so that the
 /// solution ends unconverged if the checks need more. All other settings are those of the deck.
-void use_way(const StudyCase& way, steady::Scene& scene);
+void use_way(const StudyCase& variant, steady::Scene& scene);
 
 /// The list of tasks, repeated `times` times as a whole. The repetitions of one task are then far apart in time, and a
 /// disturbance of the machine does not affect all of them.
-template <class Way>
-std::vector<Way> repeated(const std::vector<Way>& ways, int times) {
-  std::vector<Way> all;
-  for (; times > 0; --times) all.insert(all.end(), ways.begin(), ways.end());
+template <class Variant>
+std::vector<Variant> repeated(const std::vector<Variant>& variants, int times) {
+  std::vector<Variant> all;
+  for (; times > 0; --times) all.insert(all.end(), variants.begin(), variants.end());
   return all;
 }
 
 /// The name of a method, "upstream2, mlmi8, 2W".
-std::string name_of_way(const StudyCase& way);
+std::string name_of_variant(const StudyCase& variant);
 
 }  // namespace ehl::program

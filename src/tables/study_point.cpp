@@ -29,7 +29,7 @@ void take(const steady::Solution& solution, StudyPoint& point) {
   if (solution.converged) point.status = "converged";
   // A fixed number of cycles was asked for and is done, and the film is positive: the point counts
   // although it is not converged.
-  else if (point.way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
+  else if (point.variant.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
     point.status = "stopped";
   point.nx = finest.nx;
   point.ny = finest.ny;
@@ -49,10 +49,10 @@ std::vector<Column<StudyPoint>> study_columns(const std::optional<SiScales>& si)
   using Point = StudyPoint;
   using numbers::column;
   std::vector<Column<Point>> columns{
-      {"cells", "-", "cells along x of the finest grid", part(&Point::way, &StudyCase::cells)},
-      {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
-      {"evaluator", "", "evaluation of the deformation", part(&Point::way, &StudyCase::evaluator)},
-      {id::cycles, "", "number and shape of the cycles, or run", part(&Point::way, &StudyCase::cycles)},
+      {"cells", "-", "cells along x of the finest grid", part(&Point::variant, &StudyCase::cells)},
+      {"wedge", "", "scheme of the wedge term", part(&Point::variant, &StudyCase::wedge)},
+      {"evaluator", "", "evaluation of the deformation", part(&Point::variant, &StudyCase::evaluator)},
+      {id::cycles, "", "number and shape of the cycles, or run", part(&Point::variant, &StudyCase::cycles)},
       {id::status, "", "how the solution ended", &Point::status},
       column<Point>(id::nx, &Point::nx),
       column<Point>(id::ny, &Point::ny),
@@ -87,10 +87,10 @@ std::string text_of(const StudyPoint& point) { return csv_text(study_columns(), 
 
 void read_text(const std::string& text, StudyPoint& point) { point = csv_read(study_columns(), text); }
 
-StudyPoint measure(Case input, const StudyCase& way) {
-  use_way(way, input.scene);
+StudyPoint measure(Case input, const StudyCase& variant) {
+  use_way(variant, input.scene);
   StudyPoint point;
-  point.way = way;
+  point.variant = variant;
   point.status = "not-converged";
   point.nx = input.scene.grid.nx;
   point.ny = input.scene.grid.ny;

@@ -23,7 +23,7 @@ void add_repetition(const Cost& again, Cost& cost);
 /// A value that is not known is NaN.
 struct StudyPoint : Cost {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  StudyCase way{};
+  StudyCase variant{};
   int nx = 0;  ///< number of cells along x
   int ny = 0;
   /// converged; stopped (the fixed number of cycles is done, but not all checks pass); not-converged; failed
@@ -57,6 +57,6 @@ void read_text(const std::string& text, StudyPoint& point);
 /// the settings of the deck.
 /// errors: core::Interrupted; core::InputError if the evaluator does not fit the grid. A solution that does not
 /// converge is not an error but a status.
-StudyPoint measure(Case input, const StudyCase& way);
+StudyPoint measure(Case input, const StudyCase& variant);
 
 }  // namespace ehl::program

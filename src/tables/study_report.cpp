@@ -35,7 +35,7 @@ std::string point_line(const StudyPoint& point, const Reference& reference, cons
   const std::string fronts = fmt::format("{} {}", point.front_Hc ? id::Hc : "", point.front_Hm ? id::Hm : "");
   std::string line = fmt::format(
       "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
-      point.way.wedge, point.way.evaluator, point.way.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
+      point.variant.wedge, point.variant.evaluator, point.variant.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
       known("{:.5f}", point.Hm), error_text(point.deviation_Hc, point.at_reference_Hc, reference.Hc),
       error_text(point.deviation_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
       known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
@@ -66,7 +66,7 @@ std::string accuracy_lines(const std::vector<StudyPoint>& points) {
       text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
       text += found == points.size() ? "  not reached\n"
                                      : fmt::format("  {:.3f} s: {}, ", points[found].seconds, nodes_of(points[found])) +
-                                           name_of_way(points[found].way) + "\n";
+                                           name_of_variant(points[found].variant) + "\n";
     }
   return text;
 }
@@ -76,7 +76,7 @@ template <class Part>
 std::vector<Part> distinct(const std::vector<StudyPoint>& points, Part StudyCase::*part) {
   std::vector<Part> found;
   for (const StudyPoint& point : points)
-    if (std::ranges::find(found, point.way.*part) == found.end()) found.push_back(point.way.*part);
+    if (std::ranges::find(found, point.variant.*part) == found.end()) found.push_back(point.variant.*part);
   return found;
 }
 
@@ -87,15 +87,15 @@ std::string one_of(const std::vector<std::string>& words, const std::string& pre
 
 // One line per level. in: the method; the part of it that varies along a line; the function that prints a cell, also
 // for a point without data.
-std::string by_level(const std::vector<StudyPoint>& points, StudyCase way, std::string StudyCase::*varied,
+std::string by_level(const std::vector<StudyPoint>& points, StudyCase variant, std::string StudyCase::*varied,
                      std::string (*cell)(const StudyPoint&)) {
   std::string text;
   for (const int cells : distinct(points, &StudyCase::cells)) {
-    way.cells = cells;
+    variant.cells = cells;
     std::string nodes = "-", line;
     for (const std::string& word : distinct(points, varied)) {
-      way.*varied = word;
-      const auto found = std::ranges::find(points, way, &StudyPoint::way);
+      variant.*varied = word;
+      const auto found = std::ranges::find(points, variant, &StudyPoint::variant);
       if (found != points.end()) nodes = nodes_of(*found);
       line += cell(found != points.end() ? *found : StudyPoint{});
     }
@@ -112,22 +112,23 @@ std::string film_cells(const StudyPoint& point) {
 
 // Arranged as Table 1 of the paper, for the largest number of cycles and the default evaluator.
 std::string film_by_level(const std::vector<StudyPoint>& points) {
-  const StudyCase way{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
-                      one_of(distinct(points, &StudyCase::cycles), "2W")};
-  std::string text = "\nTable 1: the film by level, " + way.evaluator + ", " + way.cycles +
+  const StudyCase variant{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
+                          one_of(distinct(points, &StudyCase::cycles), "2W")};
+  std::string text = "\nTable 1: the film by level, " + variant.evaluator + ", " + variant.cycles +
                      " (* not converged after these cycles)\n      nodes";
   for (const std::string& wedge : distinct(points, &StudyCase::wedge))
     text += fmt::format("  {:>12}  {:>12}", "Hm " + wedge, "Hc " + wedge);
-  return text + "\n" + by_level(points, way, &StudyCase::wedge, film_cells);
+  return text + "\n" + by_level(points, variant, &StudyCase::wedge, film_cells);
 }
 
 // Arranged as Table 2 of the paper, for the first wedge and the default evaluator.
 std::string seconds_by_level(const std::vector<StudyPoint>& points) {
-  const StudyCase way{0, points.front().way.wedge, one_of(distinct(points, &StudyCase::evaluator), "mlmi8"), ""};
+  const StudyCase variant{0, points.front().variant.wedge, one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
+                          ""};
   std::string text =
-      "\nTable 2: seconds by level and cycles per level, " + way.wedge + ", " + way.evaluator + "\n      nodes";
+      "\nTable 2: seconds by level and cycles per level, " + variant.wedge + ", " + variant.evaluator + "\n      nodes";
   for (const std::string& cycles : distinct(points, &StudyCase::cycles)) text += fmt::format("  {:>8}", cycles);
-  return text + "\n" + by_level(points, way, &StudyCase::cycles, [](const StudyPoint& point) {
+  return text + "\n" + by_level(points, variant, &StudyCase::cycles, [](const StudyPoint& point) {
            return fmt::format("  {:>8}", known("{:.3f}", point.seconds));
          });
 }

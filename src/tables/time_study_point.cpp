@@ -55,8 +55,8 @@ std::vector<std::string> time_study_quantities(std::size_t probes) {
   return list;
 }
 
-std::string name_of_way(const TimeWay& way) {
-  return fmt::format("rtol {:g}, steps of at most {:.3g}", way.rtol, way.longest_step);
+std::string name_of_variant(const TimeVariant& variant) {
+  return fmt::format("rtol {:g}, steps of at most {:.3g}", variant.rtol, variant.longest_step);
 }
 
 double cycles_per_step(const TimeStudyPoint& point) { return static_cast<double>(point.cycles) / point.steps; }
@@ -65,8 +65,8 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
                                                        const std::optional<SiScales>& si) {
   using Point = TimeStudyPoint;
   std::vector<Column<Point>> list{
-      {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
-      {"longest_step", "a/u_m", "longest allowed step", part(&Point::way, &TimeWay::longest_step)},
+      {"rtol", "-", "tolerance of the time integration", part(&Point::variant, &TimeVariant::rtol)},
+      {"longest_step", "a/u_m", "longest allowed step", part(&Point::variant, &TimeVariant::longest_step)},
       {id::time, "a/u_m", "reached", &Point::T},
       {"steps", "-", "number of time steps", &Point::steps},
       {id::cycles, "-", "cycles of all steps", &Point::cycles},
@@ -81,7 +81,7 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
   if (si) {
     const double ms = si_unit("a/u_m", *si).factor;
     list.insert(list.begin() + 1, {{"longest_step_ms", "ms", "longest allowed step",
-                                    [ms](const Point& point) { return ms * point.way.longest_step; }},
+                                    [ms](const Point& point) { return ms * point.variant.longest_step; }},
                                    {"time_ms", "ms", "reached", [ms](const Point& point) { return ms * point.T; }}});
   }
   for (std::size_t k = 0; k < quantities.size(); ++k)
@@ -116,13 +116,13 @@ void read_text(const std::string& text, TimeStudyPoint& point) {
   }
 }
 
-TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples) {
+TimeStudyPoint measure_in_time(Case input, const TimeVariant& variant, int samples) {
   TimeStudyPoint point;
-  point.way = way;
+  point.variant = variant;
   point.status = "not-complete";
   transient::MarchParameters& march = input.transient->parameters;
-  march.rtol = way.rtol;
-  march.longest_step = way.longest_step;
+  march.rtol = variant.rtol;
+  march.longest_step = variant.longest_step;
   march.output_interval = samples > 0 ? march.end / samples : transient::MarchParameters::none;
   transient::Observer observer;
   if (samples > 0)

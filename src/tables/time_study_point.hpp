@@ -8,7 +8,7 @@
 namespace ehl::program {
 
 /// The control of the time integration.
-struct TimeWay {
+struct TimeVariant {
   double rtol = 0.0;
   double longest_step = 0.0;  ///< [a/u_m]
 };
@@ -22,7 +22,7 @@ struct TimeSample {
 /// One run; NaN: not known. The seconds are those of the run in time without its steady start.
 struct TimeStudyPoint : Cost {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  TimeWay way{};
+  TimeVariant variant{};
   /// complete; not-complete (the run ended early, or the steady start was not found); failed (an error of the program).
   std::string status{};
   double T = unknown;  ///< the time that was reached
@@ -47,13 +47,13 @@ void read_text(const std::string& text, TimeStudyPoint& point);
 /// Runs the case once. in: the case; its tolerances; samples: the number of equal intervals of comparison, 0: the run
 /// is only timed. The samples come from the dense output of the integrator and do not change its steps.
 /// errors: core::Interrupted. A run that ends early is not an error but a status.
-TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples);
+TimeStudyPoint measure_in_time(Case input, const TimeVariant& variant, int samples);
 
 /// The mean number of cycles per time step.
 double cycles_per_step(const TimeStudyPoint& point);
 
 /// The name of a run, "rtol 0.001, steps of at most 0.05".
-std::string name_of_way(const TimeWay& way);
+std::string name_of_variant(const TimeVariant& variant);
 
 /// True if the run reached its end.
 bool is_complete(const TimeStudyPoint& point);

@@ -36,7 +36,7 @@ std::string columns_of_tolerances(std::size_t probes) {
 
 // One line of the report; a run that is not complete gets a mark instead of errors.
 std::string point_line(const TimeStudyPoint& point, const TimeReference& reference) {
-  std::string text = fmt::format("{:8g}  {:6}  {:>11}  {:8}  {:10}  {:>8}", point.way.rtol, point.steps,
+  std::string text = fmt::format("{:8g}  {:6}  {:>11}  {:8}  {:10}  {:>8}", point.variant.rtol, point.steps,
                                  known("{:.2f}", cycles_per_step(point)), point.rejected, point.not_solved,
                                  known("{:.2f}", point.seconds));
   if (!is_complete(point)) return text + "  NOT COMPLETE: " + point.reason + "\n";
@@ -79,8 +79,9 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
                            const std::vector<TimeStudyPoint>& points) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
   std::string text = time_study_mark + origin_lines(header, times_text(header));
-  text += "# reference: " + name_of_way(reference.run.way) + "; its error is its difference from " +
-          name_of_way(reference.coarser.way) + "\n# reference steps: " + std::to_string(reference.run.steps) + "\n";
+  text += "# reference: " + name_of_variant(reference.run.variant) + "; its error is its difference from " +
+          name_of_variant(reference.coarser.variant) + "\n# reference steps: " + std::to_string(reference.run.steps) +
+          "\n";
   for (std::size_t k = 0; k < names.size(); ++k)
     text += "# reference error " + names[k] + ": " + csv_cell(reference.errors[k]) + "\n";
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
@@ -97,10 +98,10 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
                               const std::vector<TimeStudyPoint>& points) {
   const TimeStudyPoint& run = reference.run;
   std::string text = "case         " + header.title + "\n";
-  text += "reference    " + name_of_way(run.way) + fmt::format(": {} steps to time ", run.steps) +
+  text += "reference    " + name_of_variant(run.variant) + fmt::format(": {} steps to time ", run.steps) +
           time_text(run.T, header.si) + "\n";
   text += "             known to " + known_text(reference) + "\n             (its difference from " +
-          name_of_way(reference.coarser.way) + ")\n";
+          name_of_variant(reference.coarser.variant) + ")\n";
   text += fmt::format(
       "compared     at {} equidistant times, by the dense output of the integration; largest over the run\n",
       run.samples.size());

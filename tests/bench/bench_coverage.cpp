@@ -123,7 +123,7 @@ std::string name_of(const test::Point& point, int n) {
 void judge_contact(const test::Point& point, Result& result) {
   try {
     steady::Scene scene = plain(point, truth_cells);
-    scene.multigrid.tolerance = test::residual_of_truth;
+    scene.solver.tolerance = test::residual_of_truth;
     const steady::Solution fine = steady::solve(scene);
     if (!fine.converged) throw std::runtime_error(fine.failed_check);
     const steady::LevelRow& last = fine.levels.back();

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "core/timer.hpp"
-#include "fmg/cycle.hpp"
-#include "fmg/relaxation.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/relaxation.hpp"
 #include "support/random.hpp"
-#include "unit/fmg/circular_contact.hpp"
+#include "unit/multigrid/circular_contact.hpp"
 
-namespace fmg = ehl::fmg;
+namespace multigrid = ehl::multigrid;
 using ehl::core::Field;
 using ehl::core::Lanes;
 using ehl::core::lanes;
@@ -85,16 +85,16 @@ struct SweepCost {
 };
 
 /// Repeats sweeps from the same pressure.
-SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const fmg::RelaxationParameters& how, const Field& P) {
-  fmg::Level& level = hierarchy.finest();
+SweepCost sweep_cost(multigrid::Hierarchy& hierarchy, const multigrid::RelaxationParameters& how, const Field& P) {
+  multigrid::Level& level = hierarchy.finest();
   SweepCost best;
   const double nodes = static_cast<double>(level.grid.nodes_x()) * level.grid.nodes_y();
   for (double spent = 0.0; spent < 0.5;) {
     level.P = P;
-    fmg::update_film(hierarchy, level);
+    multigrid::update_film(hierarchy, level);
     hierarchy.times = {};
     const double start = ehl::core::now();
-    fmg::relax(hierarchy, level, how);
+    multigrid::relax(hierarchy, level, how);
     const double seconds = ehl::core::now() - start;
     spent += seconds;
     best.sweep = std::min(best.sweep, 1e9 * seconds / nodes);
@@ -103,20 +103,20 @@ SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const fmg::RelaxationParameters&
   return best;
 }
 
-fmg::Hierarchy contact(int n, const fmg::Parameters& parameters) {
-  return fmg::make_hierarchy(ehl::tests::circular_contact(50, 10, ehl::reynolds::Wedge::upstream2), parameters, {},
-                             {n, n, -4.5, 1.5, -3, 3}, 1);
+multigrid::Hierarchy contact(int n, const multigrid::Parameters& parameters) {
+  return multigrid::make_hierarchy(ehl::tests::circular_contact(50, 10, ehl::reynolds::Wedge::upstream2), parameters,
+                                   {}, {n, n, -4.5, 1.5, -3, 3}, 1);
 }
 
 /// A full multigrid solution with two cycles per level.
-fmg::Hierarchy solved(int n) {
-  fmg::Hierarchy hierarchy = contact(n, {});
+multigrid::Hierarchy solved(int n) {
+  multigrid::Hierarchy hierarchy = contact(n, {});
   std::size_t start = 0;
   while (hierarchy.levels[start].grid.nx < 64) ++start;
-  fmg::start_from_hertz(hierarchy, start, -0.69, 20);
+  multigrid::start_from_hertz(hierarchy, start, -0.69, 20);
   for (std::size_t l = start; l < hierarchy.levels.size(); ++l) {
-    if (l > start) fmg::start_from_coarser(hierarchy, l);
-    for (int cycle = 0; cycle < 2; ++cycle) fmg::fas_cycle(hierarchy, l);
+    if (l > start) multigrid::start_from_coarser(hierarchy, l);
+    for (int cycle = 0; cycle < 2; ++cycle) multigrid::fas_cycle(hierarchy, l);
   }
   return hierarchy;
 }
@@ -125,18 +125,20 @@ void print_sweeps() {
   std::printf("\n# a relaxation sweep at M = 50, L = 10, mlmi, one thread [ns per node]\n");
   std::printf("#   n  reach  line solver    sweep  line relaxation  line systems alone  share of the sweep\n");
   for (const int n : {128, 256, 512, 1024}) {
-    const fmg::Hierarchy solution = solved(n);
-    fmg::Parameters parameters;
+    const multigrid::Hierarchy solution = solved(n);
+    multigrid::Parameters parameters;
     for (const int reach : {1, 2, 3}) {
       const Costs alone = reach == 1 ? costs<1>(n - 1) : reach == 2 ? costs<2>(n - 1) : costs<3>(n - 1);
       parameters.relaxation.reach = reach;
-      fmg::Hierarchy hierarchy = contact(n, parameters);
+      multigrid::Hierarchy hierarchy = contact(n, parameters);
       hierarchy.H00 = solution.H00;
-      for (const fmg::LineSolver solver : {fmg::LineSolver::elimination, fmg::LineSolver::decimation}) {
+      for (const multigrid::LineSolver solver :
+           {multigrid::LineSolver::elimination, multigrid::LineSolver::decimation}) {
         parameters.relaxation.line_solver = solver;
-        for (fmg::Level& level : hierarchy.levels)
-          level.thread_work.assign(1, fmg::make_thread_work(level.grid, hierarchy.problem.film, parameters.relaxation));
-        const bool eliminates = solver == fmg::LineSolver::elimination;
+        for (multigrid::Level& level : hierarchy.levels)
+          level.thread_work.assign(
+              1, multigrid::make_thread_work(level.grid, hierarchy.problem.film, parameters.relaxation));
+        const bool eliminates = solver == multigrid::LineSolver::elimination;
         const SweepCost cost = sweep_cost(hierarchy, parameters.relaxation, solution.levels.back().P);
         const double band = eliminates ? alone.elimination : alone.decimation;
         std::printf("%5d  %5d  %-12s %7.1f  %15.1f  %18.2f  %17.0f%%\n", n, reach,

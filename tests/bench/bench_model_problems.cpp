@@ -11,7 +11,7 @@
 
 using namespace ehl;
 using namespace ehl::tests;
-using fmg::Cycle;
+using multigrid::Cycle;
 using reynolds::Wedge;
 
 namespace {
@@ -22,7 +22,7 @@ int number(Wedge wedge) { return wedge == Wedge::upstream1 ? 1 : 2; }
 
 void print_analysis(Wedge wedge) {
   const LocalFourierAnalysis analysis;
-  const double weight = fmg::RelaxationParameters{}.weight_distributed;
+  const double weight = multigrid::RelaxationParameters{}.weight_distributed;
   const LineRelaxation relaxations[] = {papers_distributive,
                                         papers_gauss_seidel,
                                         {true, Ordering::two_colours, weight},
@@ -48,7 +48,7 @@ double measured(double e, Wedge wedge, Cycle cycle, double crossover) {
 }
 
 void print_constant_epsilon(Wedge wedge) {
-  const double crossovers[] = {0.6, 1.1, fmg::RelaxationParameters{}.crossover, 2.0};
+  const double crossovers[] = {0.6, 1.1, multigrid::RelaxationParameters{}.crossover, 2.0};
   std::printf("\n# constant epsilon, upstream%d, n = 128 .. 8: error left by a W(2,1) and a V(2,1) cycle\n",
               number(wedge));
   std::printf("# crossover");
@@ -92,8 +92,8 @@ void print_full_problem(Wedge wedge, Cycle cycle) {
   scene.grid = {256, 256, -4.5, 1.5, -3.0, 3.0};
   scene.wedge = wedge;
   scene.deformation.method = mlmi::Method::fft;
-  scene.multigrid.cycle = cycle;
-  scene.multigrid.tolerance = 1e-10;
+  scene.solver.cycle = cycle;
+  scene.solver.tolerance = 1e-10;
   const steady::Solution solution = steady::solve(scene);
   std::printf("upstream%d %c(2,1):", number(wedge), cycle == Cycle::W ? 'W' : 'V');
   const int finest = solution.levels.back().level;

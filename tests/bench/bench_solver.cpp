@@ -107,7 +107,7 @@ void paper() {
     for (const int set : {0, 1}) {
       steady::Scene input =
           scene(set == 0 ? 10.0 : L_table1, set == 0 ? alpha_stated : alpha_table1, n, reynolds::Wedge::upstream1, 1);
-      input.multigrid.tolerance = 1e-7;
+      input.solver.tolerance = 1e-7;
       rows[set] = steady::solve(input).levels.back();
     }
     std::printf("| %d x %d | %.4f | %.4f | %.4f | %.4f | %.4f | %.4f |\n", n + 1, n + 1, paper_Hm[k], paper_Hc[k],
@@ -124,8 +124,8 @@ void paper() {
     double seconds[2];
     for (const int w : {0, 1}) {
       steady::Scene input = scene(10.0, alpha_stated, n, reynolds::Wedge::upstream1, 1);
-      input.multigrid.cycle = w == 0 ? fmg::Cycle::V : fmg::Cycle::W;
-      input.multigrid.post = 1;
+      input.solver.cycle = w == 0 ? multigrid::Cycle::V : multigrid::Cycle::W;
+      input.solver.post = 1;
       seconds[w] = fastest(input, 5).seconds;
     }
     const auto ratio = [&](int w) {

@@ -26,7 +26,7 @@ steady::Solution solved(const Contact& contact, Wedge wedge, Face face) {
   scene.wedge = wedge;
   scene.face = face;
   scene.deformation.method = mlmi::Method::fft;
-  scene.multigrid.tolerance = 1e-10;
+  scene.solver.tolerance = 1e-10;
   scene.polish = steady::Polish::off;
   scene.continuation.path = steady::ContinuationParameters::Path::off;
   steady::Solution solution = steady::solve(scene);

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(exact_discrete_solutions) {
     steady::Scene scene = scene_of(row.M, 10, contact::ellipse(row.ratio, row.angle), 64);
     scene.grid = {64, 64, row.X_a, row.X_b, -row.Y_b, row.Y_b};
     scene.deformation.method = mlmi::Method::fft;
-    scene.multigrid.tolerance = 1e-9;
+    scene.solver.tolerance = 1e-9;
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST(solution.converged, solution.failed_check);
     BOOST_TEST_MESSAGE("M = " << row.M << ", R_x/R_y = " << row.ratio << ", " << row.angle << " degrees:");
@@ -173,10 +173,10 @@ BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
   for (const auto& [M, L] : {std::pair{20.0, 5.0}, std::pair{100.0, 15.0}}) {
     BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ":");
     double expected = 0.0, expected_across = 0.0;
-    const double aslant = film(M, L, 45.0, &expected);
+    const double oblique = film(M, L, 45.0, &expected);
     const double across = film(M * std::pow(speed, -0.75), L * std::pow(speed, 0.25), 0.0, &expected_across);
-    check("Hc", aslant, across, 0.01);
-    check("film to expect", expected, aslant, 0.3);
+    check("Hc", oblique, across, 0.01);
+    check("film to expect", expected, oblique, 0.3);
   }
 }
 
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
        {Case{0.05, 0, 100, 256, 0.27}, Case{0.2, 0, 1000, 256, 0.17}, Case{0.2, 45, 100, 512, 0.21},
         Case{2, 45, 100, 512, 0.19}, Case{5, 0, 100, 1024, 0.23}}) {
     steady::Scene scene = scene_of(M, 10, contact::ellipse(ratio, angle), cells);
-    scene.multigrid.tolerance = 1e-8;
+    scene.solver.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", " << angle << " degrees, M = " << M << ", " << cells << " cells: "
                                     << solution.cycle_factor << " per cycle, " << solution.levels.back().cycles
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
 // line. A start without pressure there made the cycles slow, or kept them from converging.
 BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
   steady::Scene scene = scene_of(200, 10, contact::ellipse(20), 2048);
-  scene.multigrid.tolerance = 1e-5;
+  scene.solver.tolerance = 1e-5;
   const steady::Solution solution = steady::solve(scene);
   const steady::LevelRow& last = solution.levels.back();
   BOOST_TEST_MESSAGE("R_x/R_y = 20, M = 200: " << last.cycles << " cycles (at most 20), Hm/Hc " << last.Hm / last.Hc);
@@ -235,13 +235,13 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
     BOOST_TEST(steady::cell_aspect(square) == 1.0);
   steady::Scene scene = stretched_scene_of(20, 5);
   const steady::Solution stretched = steady::solve(scene);
-  scene.multigrid.tolerance = 1e-6;
+  scene.solver.tolerance = 1e-6;
   const steady::Solution cycled = steady::solve(scene);
   BOOST_TEST_MESSAGE("R_x/R_y = 20, (20, 5), 512 x " << scene.grid.ny << " cells: " << cycled.cycle_factor
                                                      << " per cycle (at most 0.5), " << cycled.method);
   BOOST_TEST((cycled.converged && cycled.method == "full multigrid"), cycled.failed_check);
   BOOST_TEST(cycled.cycle_factor < 0.5);
-  scene.multigrid.tolerance = fmg::Parameters{}.tolerance;
+  scene.solver.tolerance = multigrid::Parameters{}.tolerance;
   scene.grid.nx *= 4;
   const steady::Solution square = steady::solve(scene);
   const steady::ErrorBars& bars = stretched.error_bars;
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
        {Case{5, 100, 512, 0.24}, Case{5, 1000, 1024, 0.21}, Case{200, 20, 1024, 0.29}}) {
     steady::Scene scene = default_scene_of(M, 15, contact::ellipse(ratio, 45.0), cells);
     scene.grid.ny = scene.grid.ny / 64 * 64;
-    scene.multigrid.tolerance = 1e-8;
+    scene.solver.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", 45 degrees, M = " << M << ", L = 15, " << cells << " x "
                                     << scene.grid.ny << " cells: " << solution.cycle_factor << " per cycle, "
@@ -280,14 +280,14 @@ BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
     double ratio, angle, M, L, tolerance;
     int cells, lines, most, otherwise;
   };
-  const double mesh = fmg::Parameters{}.tolerance;
+  const double mesh = multigrid::Parameters{}.tolerance;
   for (const auto& [ratio, angle, M, L, tolerance, cells, lines, most, otherwise] :
        {Case{20, 0, 1000, 15, 1e-6, 512, 384, 8, 10}, Case{100, 0, 100, 10, 1e-6, 512, 1024, 11, 15},
         Case{50, 0, 1000, 10, mesh, 512, 768, 17, 25}, Case{100, 45, 1000, 15, 1e-6, 1024, 1280, 7, 13},
         Case{37.8, 5, 36.1, 11.8, 1e-6, 2048, 512, 8, 12}}) {
     steady::Scene scene = default_scene_of(M, L, contact::ellipse(ratio, angle), cells);
     scene.grid.ny = lines;
-    scene.multigrid.tolerance = tolerance;
+    scene.solver.tolerance = tolerance;
     const steady::Solution solution = steady::solve(scene);
     const int cycles = solution.levels.back().cycles;
     BOOST_TEST_MESSAGE(ratio << ", (" << M << ", " << L << "): " << cycles << " of " << most << ", else " << otherwise);

@@ -27,7 +27,7 @@ steady::Scene line_scene(double M, double L, Oil oil, int cells, double X_a) {
     scene.density = {};
   }
   scene.far_field = true;
-  scene.multigrid.tolerance = 1e-8;
+  scene.solver.tolerance = 1e-8;
   return scene;
 }
 

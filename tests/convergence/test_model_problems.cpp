@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(test_model_problems)
 
 using namespace ehl;
 using namespace ehl::tests;
-using fmg::Cycle;
+using multigrid::Cycle;
 using reynolds::Wedge;
 
 namespace {

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "unit/transient/marching.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_moving_body)

@@ -7,9 +7,9 @@
 #include "contact/film_formulas.hpp"
 #include "convergence/circular_scene.hpp"
 #include "core/norms.hpp"
-#include "fmg/cycles.hpp"
-#include "fmg/start.hpp"
 #include "judgement/measures.hpp"
+#include "multigrid/cycles.hpp"
+#include "multigrid/start.hpp"
 #include "newton/solve.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_newton_reference)
@@ -29,16 +29,17 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n > 128) continue;
     const steady::Scene scene = test::scene_of(contact);
-    const fmg::Problem problem{.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
-                               .transport = scene.wedge};
+    const multigrid::Problem problem{
+        .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+        .transport = scene.wedge};
     mlmi::Parameters deformation;
     deformation.method = mlmi::Method::fft;
-    fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, {}, deformation, scene.grid, 1);
+    multigrid::Hierarchy hierarchy = multigrid::make_hierarchy(problem, {}, deformation, scene.grid, 1);
     const std::size_t l = hierarchy.levels.size() - 1;
     const double film = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
-    fmg::start_from_hertz(hierarchy, l, -1.0 + film, 0);
+    multigrid::start_from_hertz(hierarchy, l, -1.0 + film, 0);
     const newton::Result result = newton::solve(hierarchy, l);
-    const judgement::Measures state = fmg::measures_of(hierarchy, l);
+    const judgement::Measures state = multigrid::measures_of(hierarchy, l);
     BOOST_TEST_MESSAGE(test::name_of(contact)
                        << ": Hc off by " << relative(state.Hc, contact.Hc) << ", Hm by "
                        << relative(state.Hm, contact.Hm) << ", H00 by " << relative(hierarchy.H00, contact.H00)

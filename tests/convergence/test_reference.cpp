@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(exact_film_gives_the_reference_digits) {
     if (contact.n > largest_grid) continue;
     steady::Scene scene = test::scene_of(contact);
     scene.deformation.method = mlmi::Method::fft;
-    scene.multigrid.tolerance = 1e-10;
+    scene.solver.tolerance = 1e-10;
     const steady::Solution solution = steady::solve(scene);
     const steady::LevelRow& row = solution.levels.back();
     BOOST_TEST_MESSAGE(test::name_of(contact)
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(default_film_evaluation_is_below_a_tenth_of_the_discretizat
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n > largest_grid || contact.n < 128) continue;
     steady::Scene scene = test::scene_of(contact);
-    scene.multigrid.tolerance = 1e-8;
+    scene.solver.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
     const steady::LevelRow& row = solution.levels.back();
     const Shares share = shares(row, contact);
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(every_cycle_at_M50_L10_gains_a_factor_of_five) {
     reference::CircularContact contact{50, 10, reference::Fluid::roelands_z060, wedge, 256, 0, 0, 0, 0};
     steady::Scene scene = test::scene_of(contact);
     scene.deformation.method = mlmi::Method::fft;
-    scene.multigrid.tolerance = 1e-10;
+    scene.solver.tolerance = 1e-10;
     const steady::Solution solution = steady::solve(scene);
     const int finest = solution.levels.back().level;
     double first = 0.0;

@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(second_order_in_the_mesh) {
     for (const int n : {64, 128, 256, 512}) {
       steady::Scene scene = scene_of(50, 10, n);
       scene.thinning = rheology::ShearThinning{law, eyring(scene, 1.0, 5e6).k};
-      scene.multigrid.tolerance = 1e-8;
+      scene.solver.tolerance = 1e-8;
       const steady::Solution solution = steady::solve(scene);
       BOOST_TEST(solution.converged);
       Hc[k++] = solution.levels.back().Hc;
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(second_order_in_the_mesh) {
 BOOST_AUTO_TEST_CASE(films_and_cycles_over_loads_and_sliding) {
   for (const double M : {50.0, 200.0, 1000.0}) {
     steady::Scene scene = scene_of(M, 10, 128);
-    scene.multigrid.tolerance = 1e-7;
+    scene.solver.tolerance = 1e-7;
     const steady::Solution newtonian = steady::solve(scene);
     double worst = 0.0;
     for (const double tau_0 : {2e6, 10e6}) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "fmg/relaxation.hpp"
 #include "kernel/influence.hpp"
+#include "multigrid/relaxation.hpp"
 #include "support/local_fourier_analysis.hpp"
 #include "support/model_problem.hpp"
 
@@ -61,9 +61,9 @@ class PacketSweep {
 
   static ModelProblem problem(double e, Wedge wedge, bool distributed, double stretch) {
     // A tiny epsilon selects Gauss-Seidel relaxation; with epsilon = 0 a point would always be distributive.
-    ModelProblem result =
-        stretch == 1.0 ? constant_epsilon(std::max(e, 1e-9), cells, wedge, fmg::Cycle::V)
-                       : constant_epsilon_on_stretched_cells(std::max(e, 1e-9), stretch, cells, wedge, fmg::Cycle::V);
+    ModelProblem result = stretch == 1.0 ? constant_epsilon(std::max(e, 1e-9), cells, wedge, multigrid::Cycle::V)
+                                         : constant_epsilon_on_stretched_cells(std::max(e, 1e-9), stretch, cells, wedge,
+                                                                               multigrid::Cycle::V);
     result.coarsest = cells;
     result.relaxation.crossover = distributed ? 1e9 : 0.0;
     return result;
@@ -76,15 +76,15 @@ class PacketSweep {
   static Complex wave(Frequency theta, int i, int j) { return std::polar(1.0, theta.x * i + theta.y * j); }
 
   void sweep(Frequency theta, Complex phase) {
-    fmg::Level& level = hierarchy_.finest();
+    multigrid::Level& level = hierarchy_.finest();
     for (int i = 1; i < cells; ++i)
       for (int j = 1; j < cells; ++j) level.P(i, j) = envelope(i, j) * std::real(phase * wave(theta, i, j));
-    fmg::update_film(hierarchy_, level);
-    fmg::relax_pressure(hierarchy_, level, hierarchy_.parameters.relaxation);
-    fmg::update_film(hierarchy_, level);
+    multigrid::update_film(hierarchy_, level);
+    multigrid::relax_pressure(hierarchy_, level, hierarchy_.parameters.relaxation);
+    multigrid::update_film(hierarchy_, level);
   }
   Complex amplitude(Frequency theta) const {
-    const fmg::Level& level = hierarchy_.levels.back();
+    const multigrid::Level& level = hierarchy_.levels.back();
     Complex sum = 0.0;
     double norm = 0.0;
     for (int i = 1; i < cells; ++i)
@@ -96,7 +96,7 @@ class PacketSweep {
     return sum / norm;
   }
 
-  fmg::Hierarchy hierarchy_;
+  multigrid::Hierarchy hierarchy_;
 };
 
 double largest_difference(const SweepMatrix& a, const SweepMatrix& b) {
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_papers_claims) {
 
 BOOST_AUTO_TEST_CASE(two_colours_make_distributive_lines_stable) {
   const LocalFourierAnalysis analysis;
-  const fmg::RelaxationParameters ours;
+  const multigrid::RelaxationParameters ours;
   const LineRelaxation jacobi{true, Ordering::simultaneous, ours.weight_distributed};
   const LineRelaxation coloured{true, Ordering::two_colours, ours.weight_distributed};
   for (const double e : {0.0, 0.03, 0.1, 0.3, 1.0, 3.0, 30.0})
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
   for (const bool distributed : {true, false})
     for (const Wedge wedge : wedges)
       for (const double e : {0.0, 0.03, 0.1, 0.3, 1.0, 3.0, 30.0}) {
-        const double weight = distributed ? fmg::RelaxationParameters{}.weight_distributed : 1.0;
+        const double weight = distributed ? multigrid::RelaxationParameters{}.weight_distributed : 1.0;
         const LineRelaxation relaxation{distributed, Ordering::two_colours, weight};
         PacketSweep sweep(e, wedge, distributed);
         const Frequency slowest = analysis.analyse(relaxation, e, wedge).slowest;
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
 }
 
 BOOST_AUTO_TEST_CASE(stretched_cells_are_smoothed_across_alone) {
-  const fmg::RelaxationParameters ours;
+  const multigrid::RelaxationParameters ours;
   const LineRelaxation single{false, Ordering::two_colours, 1.0};
   const LineRelaxation distributed{true, Ordering::two_colours, ours.weight_distributed};
   LineRelaxation by_quarters = distributed;
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(relaxation_of_stretched_cells_as_implemented) {
   for (const double stretch : {2.0, 4.0, 8.0})
     for (const bool distributed : {true, false})
       for (const double e : {0.03, 0.3, 3.0}) {
-        const double weight = distributed ? fmg::RelaxationParameters{}.weight_distributed : 1.0;
+        const double weight = distributed ? multigrid::RelaxationParameters{}.weight_distributed : 1.0;
         LineRelaxation relaxation{distributed, Ordering::two_colours, weight};
         relaxation.stretch = stretch;
         PacketSweep sweep(e, Wedge::upstream2, distributed, stretch);

@@ -20,7 +20,7 @@ namespace {
 steady::Scene scene_of(double M, double L, const core::Grid& grid, double H_oil) {
   steady::Scene scene = tests::roelands_scene(M, L, grid);
   scene.deformation.method = mlmi::Method::fft;
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   scene.supply = [H_oil](double) { return H_oil; };
   return scene;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/norms.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 steady::Scene scene_of(double M, double L, int cells, double H_oil) {
   steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, -4.5, 1.5));
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   if (H_oil > 0.0) scene.supply = [H_oil](double) { return H_oil; };
   return scene;
 }

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(discrete_solutions_of_another_program) {
                                << " (elsewhere " << factors[pass.number - 1] << "), left " << pass.left
                                << ", imbalance " << pass.imbalance << ", aside " << pass.aside << ", " << pass.steps
                                << " steps");
-    BOOST_TEST(!pass.swings);
+    BOOST_TEST(!pass.chatters);
     BOOST_TEST(std::abs(pass.imbalance) <= 1e-6);
     BOOST_TEST(std::abs(pass.factor - factors[pass.number - 1]) <= 1e-3);
   }
@@ -54,20 +54,20 @@ BOOST_AUTO_TEST_CASE(thin_layers_decay) {
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST_MESSAGE(solution.failed_check);
   double worst = 0.0;
-  int steps = 0, swinging = 0;
+  int steps = 0, chattering = 0;
   for (const steady::Pass& pass : solution.passes) {
     const double formula = 1.0 / std::sqrt(1.0 / (H_oil * H_oil) + 2.0 * pass.number * std::numbers::pi / scene.lambda);
     steps += pass.steps;
     worst = std::max(worst, std::abs(pass.left / formula - 1.0));
-    if (pass.number % 10 == 0 || pass.swings)
+    if (pass.number % 10 == 0 || pass.chatters)
       BOOST_TEST_MESSAGE("pass " << pass.number << ": left " << pass.left << ", closed form " << formula << ", off by "
                                  << pass.left / formula - 1.0 << ", imbalance " << pass.imbalance << ", " << pass.steps
                                  << " steps");
-    swinging += pass.first_order > 0 ? 1 : 0;
-    BOOST_TEST(!pass.swings);
+    chattering += pass.first_order > 0 ? 1 : 0;
+    BOOST_TEST(!pass.chatters);
     BOOST_TEST(std::abs(pass.imbalance) <= 1e-7);
   }
-  BOOST_TEST_MESSAGE("off by " << worst << " at most (allowed 0.01), " << steps << " steps, " << swinging
+  BOOST_TEST_MESSAGE("off by " << worst << " at most (allowed 0.01), " << steps << " steps, " << chattering
                                << " passes with nodes of first order, in " << solution.seconds << " s");
   BOOST_TEST(worst <= 0.01);
 }

@@ -33,7 +33,7 @@ double relative(double value, double reference) { return std::abs(value / refere
 BOOST_AUTO_TEST_CASE(a_film_that_only_seems_to_have_settled_is_not_called_converged) {
   steady::Scene scene = scene_of(5000.0, 5.0, 256);
   const steady::Solution first = steady::solve(scene);
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   const steady::Solution exact = steady::solve(scene);
   BOOST_TEST_REQUIRE(first.converged);
   BOOST_TEST_REQUIRE(exact.converged);

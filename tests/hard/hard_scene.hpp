@@ -22,7 +22,7 @@ inline ehl::steady::Scene scene(Load load, int n, ehl::reynolds::Wedge wedge = e
   ehl::steady::Scene scene =
       ehl::test::scene_of({load.M, load.L, ehl::reference::Fluid::roelands_z068, wedge, n, 0.0, 0.0, 0.0, 0.0});
   scene.deformation.method = ehl::mlmi::Method::fft;
-  scene.multigrid.tolerance = 1e-10;
+  scene.solver.tolerance = 1e-10;
   scene.threads = 2;
   return scene;
 }

@@ -130,10 +130,10 @@ BOOST_AUTO_TEST_CASE(a_continuation_that_runs_out_of_steps_says_where) {
 
 // All loads but the last have a solution on this mesh; for the last one the film is negative.
 BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_is_not_cured_by_continuation) {
-  for (const steady::Polish polish : {steady::Polish::rescue, steady::Polish::off}) {
+  for (const steady::Polish polish : {steady::Polish::fallback, steady::Polish::off}) {
     steady::Scene scene = heaviest(128, Path::load);
     scene.polish = polish;
-    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    scene.solver.tolerance = std::numeric_limits<double>::quiet_NaN();
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST_MESSAGE("(5000,10) on 128 cells: " << solution.failed_check << "; " << solution.attempts.size()
                                                   << " ways tried, " << solution.seconds << " s");
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
     scene.lambda = contact::from_moes(5000, 0).lambda;
     scene.viscosity = rheology::Isoviscous{};
     scene.density = rheology::Incompressible{};
-    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    scene.solver.tolerance = std::numeric_limits<double>::quiet_NaN();
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST_MESSAGE(hard::name(scene) << ": " << solution.failed_check << "; least H " << solution.levels.back().Hm
                                          << ", residual " << solution.levels.back().residual << ", "
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
 BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
   for (const hard::Load load : {hard::Load{20, 20}, {200, 15}, {2000, 10}}) {
     steady::Scene scene = hard::scene(load, 256);
-    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    scene.solver.tolerance = std::numeric_limits<double>::quiet_NaN();
     const steady::Solution cycles = steady::solve(scene);
     scene.polish = steady::Polish::always;
     const steady::Solution polished = steady::solve(scene);

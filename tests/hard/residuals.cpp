@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(fine_grids_have_the_reference_digits) {
     if (contact.n != 512) continue;
     steady::Scene scene = test::scene_of(contact);
     scene.deformation.method = mlmi::Method::fft;
-    scene.multigrid.tolerance = 1e-10;
+    scene.solver.tolerance = 1e-10;
     scene.threads = 2;
     const steady::Solution solution = steady::solve(scene);
     const steady::LevelRow& last = solution.levels.back();

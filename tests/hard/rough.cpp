@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(cycles_with_waves_and_ridges_below_the_film) {
     for (const Shape shape : {Shape::waviness, Shape::ridge, Shape::dimple})
       for (const double films : {0.1, 0.3}) {
         steady::Scene scene = rough_scene(contact, shape, films, 256);
-        scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+        scene.solver.tolerance = std::numeric_limits<double>::quiet_NaN();
         const steady::Solution solution = steady::solve(scene);
         const double rise = pressure_at_centre(solution) - smooth;
         BOOST_TEST_MESSAGE(hard::name(scene)
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
   for (const Rough& contact : contacts)
     for (const Shape shape : {Shape::waviness, Shape::ridge}) {
       steady::Scene scene = rough_scene(contact, shape, 1.2, 128);
-      scene.multigrid.tolerance = 1e-6;  // with waves this high, the cycles stall below this residual
+      scene.solver.tolerance = 1e-6;  // with waves this high, the cycles stall below this residual
       const steady::Solution solution = steady::solve(scene);
       scene.polish = steady::Polish::always;
       const steady::Solution newton = steady::solve(scene);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "hard/hard_scene.hpp"
-#include "steady/climb.hpp"
 #include "steady/continuation.hpp"
-#include "steady/rescue.hpp"
+#include "steady/multigrid_solve.hpp"
+#include "steady/newton_fallback.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_hard_same_solution)
 
@@ -19,12 +19,12 @@ constexpr double same = 1e-8;
 
 constexpr hard::Load loads[] = {{20, 20}, {200, 15}, {1000, 20}, {2000, 10}};
 
-constexpr steady::Start usual{.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .caution_at_first = 0.7};
+constexpr steady::Start usual{.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .damping_at_first = 0.7};
 /// Starts that differ in first grid, number of relaxations, coarsest grid and weights.
 constexpr steady::Start unlike[] = {
-    {.cells = 64, .sweeps = 60, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .caution_at_first = 0.7},
-    {.cells = 128, .sweeps = 60, .cycles = 3, .coarsest = 32, .caution_at_first = 0.5, .caution = 0.8},
+    {.cells = 64, .sweeps = 60, .cycles = 10, .coarsest = 32, .balances = 30, .damping_at_first = 0.5},
+    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .damping_at_first = 0.7},
+    {.cells = 128, .sweeps = 60, .cycles = 3, .coarsest = 32, .damping_at_first = 0.5, .damping = 0.8},
 };
 
 void require_same(const std::string& what, const steady::Scene& scene, const steady::Solution& one,
@@ -57,19 +57,20 @@ bool same_bits(const core::Field& a, const core::Field& b) {
 BOOST_AUTO_TEST_CASE(other_starts_and_other_cycles_lead_to_the_same_solution) {
   for (const hard::Load load : loads) {
     const steady::Scene scene = hard::scene(load, 256);
-    const steady::Solution solution = steady::climb(scene, usual, {});
+    const steady::Solution solution = steady::solve_by_multigrid(scene, usual, {});
     BOOST_TEST(solution.converged, solution.failed_check);
     int number = 2;
     for (const steady::Start& start : unlike)
-      require_same("start " + std::to_string(number++), scene, steady::climb(scene, start, {}), solution);
-    for (const auto& [cycle, name] : {std::pair{fmg::Cycle::V, "V cycles"}, {fmg::Cycle::F, "F cycles"}}) {
+      require_same("start " + std::to_string(number++), scene, steady::solve_by_multigrid(scene, start, {}), solution);
+    for (const auto& [cycle, name] : {std::pair{multigrid::Cycle::V, "V cycles"}, {multigrid::Cycle::F, "F cycles"}}) {
       steady::Scene other = scene;
-      other.multigrid.cycle = cycle;
-      require_same(name, scene, steady::climb(other, usual, {}), solution);
+      other.solver.cycle = cycle;
+      require_same(name, scene, steady::solve_by_multigrid(other, usual, {}), solution);
     }
     std::vector<steady::ContinuationStep> steps;
-    const auto first_load = [](const steady::Scene& light) { return steady::climb(light, unlike[1], {}); };
-    require_same("from a lower load", scene, steady::climb_by_load(scene, unlike[1], first_load, {}, steps), solution);
+    const auto first_load = [](const steady::Scene& light) { return steady::solve_by_multigrid(light, unlike[1], {}); };
+    require_same("from a lower load", scene, steady::solve_by_continuation(scene, unlike[1], first_load, {}, steps),
+                 solution);
     BOOST_TEST(steps.size() >= 2U);
     BOOST_TEST(steps.front().M < scene.M);
   }
@@ -80,21 +81,22 @@ BOOST_AUTO_TEST_CASE(newtons_method_from_hertz_finds_the_same_solution) {
   for (const hard::Load load : loads)
     for (const reynolds::Wedge wedge : {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2}) {
       const steady::Scene scene = hard::scene(load, 128, wedge);
-      require_same("Newton", scene, steady::climb_by_newton(scene, usual, {}), steady::climb(scene, usual, {}));
+      require_same("Newton", scene, steady::solve_by_newton(scene, usual, {}),
+                   steady::solve_by_multigrid(scene, usual, {}));
     }
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_for_any_number_of_threads) {
   for (const hard::Load load : {hard::Load{20, 20}, {2000, 25}}) {
     steady::Scene scene = hard::scene(load, 256);
-    scene.multigrid.tolerance = 1e-6;
+    scene.solver.tolerance = 1e-6;
     for (const mlmi::Method method : {mlmi::Method::mlmi, mlmi::Method::fft}) {
       scene.deformation.method = method;
       scene.threads = 1;
-      const steady::Solution one = steady::climb(scene, usual, {});
+      const steady::Solution one = steady::solve_by_multigrid(scene, usual, {});
       for (const int threads : {2, 3}) {
         scene.threads = threads;
-        const steady::Solution other = steady::climb(scene, usual, {});
+        const steady::Solution other = steady::solve_by_multigrid(scene, usual, {});
         BOOST_TEST_MESSAGE(hard::name(scene) << ", " << threads << " threads: apart by " << hard::difference(one, other)
                                              << " (allowed: not one bit), H00 " << other.H00);
         BOOST_TEST(same_bits(one.P, other.P));
@@ -108,12 +110,12 @@ BOOST_AUTO_TEST_CASE(same_bits_for_any_number_of_threads) {
 // Cells with aspect ratios up to four, in both directions as far as the cycles permit. The scheme is of second order in
 // each direction, so the solutions approach that of 512 x 512 cells.
 BOOST_AUTO_TEST_CASE(oblong_cells_agree_with_square_ones) {
-  const steady::Solution square = steady::climb(hard::scene({20, 10}, 512), usual, {});
+  const steady::Solution square = steady::solve_by_multigrid(hard::scene({20, 10}, 512), usual, {});
   for (const auto& [nx, ny] : {std::pair{512, 128}, {256, 128}, {256, 64}, {128, 256}}) {
     steady::Scene scene = hard::scene({20, 10}, nx);
     scene.grid.ny = ny;
-    scene.multigrid.tolerance = 1e-8;
-    const steady::Solution solution = steady::climb(scene, usual, {});
+    scene.solver.tolerance = 1e-8;
+    const steady::Solution solution = steady::solve_by_multigrid(scene, usual, {});
     const double Hc_apart = hard::relative(solution.levels.back().Hc, square.levels.back().Hc);
     const double Hm_apart = hard::relative(solution.levels.back().Hm, square.levels.back().Hm);
     // Reference: the error of 128 x 128 cells is below 0.75 %. It decreases with second order; the

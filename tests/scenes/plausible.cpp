@@ -115,11 +115,11 @@ BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
         "e.ini --set contact.radius_ratio=0.4"}) {
     const std::string told = support::ehl(folder, std::string("check ") + set).out;
     const std::string mark = "about ";
-    const double foretold = std::stod(told.substr(told.find(mark, told.find("accuracy  ")) + mark.size()));
+    const double predicted = std::stod(told.substr(told.find(mark, told.find("accuracy  ")) + mark.size()));
     BOOST_TEST(support::ehl(folder, std::string("run --quiet --overwrite --output d.h5 ") + set).status == 0);
     const double cells = support::rows_of(support::ehl(folder, "extract d.h5 /levels/nx").out).back()[0];
-    BOOST_TEST_MESSAGE(set << ": " << foretold << " nodes predicted, " << cells << " cells taken");
-    BOOST_TEST(std::abs(std::log2((foretold - 1.0) / cells)) <= 1.0, set);
+    BOOST_TEST_MESSAGE(set << ": " << predicted << " nodes predicted, " << cells << " cells taken");
+    BOOST_TEST(std::abs(std::log2((predicted - 1.0) / cells)) <= 1.0, set);
   }
   const std::string line = std::string("'") + EHL_PROGRAM +
                            "' run d.ini --threads 1 --overwrite --set grid.accuracy=1e-4 2>said & p=$!; "

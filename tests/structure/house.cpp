@@ -60,9 +60,9 @@ std::vector<Door> doors() {
       {"zlib", {"zlib"}, {"src"}, {"src/page/png.cpp"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},
-       {"mlmi", "newton", "fmg"},
+       {"mlmi", "newton", "multigrid"},
        {"modules/mlmi/fourier_transform_eigen.cpp", "modules/newton/preconditioner.cpp",
-        "modules/fmg/acceleration.cpp"}},
+        "modules/multigrid/acceleration.cpp"}},
   };
 }
 

@@ -50,14 +50,14 @@ BOOST_AUTO_TEST_CASE(the_reader_reads) {
 }
 
 BOOST_AUTO_TEST_CASE(the_reader_finds_offences) {
-  const std::vector<Module> modules = {{"core", {}}, {"kernel", {"core"}}, {"mlmi", {"kernel", "fmg"}}};
+  const std::vector<Module> modules = {{"core", {}}, {"kernel", {"core"}}, {"mlmi", {"kernel", "multigrid"}}};
   BOOST_TEST(order_offences(modules).size() == 1);
   const SourceFile upwards{"modules/kernel/a.cpp", "kernel", "#include \"mlmi/deformation.hpp\"\n"};
   const SourceFile undeclared{"modules/mlmi/a.cpp", "mlmi", "#include \"core/grid.hpp\"\n"};
   const SourceFile homeless{"modules/core/a.cpp", "core", "#include \"grid.hpp\"\n"};
   const SourceFile clean{"modules/kernel/b.cpp", "kernel", "#include \"core/grid.hpp\"\n#include <cmath>\n"};
   BOOST_TEST(include_offences(modules, {upwards, undeclared, homeless, clean}).size() == 3);
-  const SourceFile wrong_door{"modules/fmg/a.cpp", "fmg",
+  const SourceFile wrong_door{"modules/multigrid/a.cpp", "multigrid",
                               "#include <hdf5.h>\n#include <fftw3.h>\n#include <sunlinsol/sunlinsol_spfgmr.h>\n"
                               "#include <boost/program_options.hpp>\n"};
   const SourceFile right_door{"modules/mlmi/a.cpp", "mlmi", "#include <fftw3.h>\n"};
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
 
 BOOST_AUTO_TEST_CASE(the_reader_knows_the_operator) {
   const auto found = [](const std::string& text) {
-    return operator_offences({{"modules/fmg/a.cpp", "fmg", text}}, "modules/reynolds/flux.hpp").size();
+    return operator_offences({{"modules/multigrid/a.cpp", "multigrid", text}}, "modules/reynolds/flux.hpp").size();
   };
   BOOST_TEST(found("const double w = 0.5 / (grid.hx() * grid.hx());") == 1U);
   BOOST_TEST(found("w = 0.5 * (state_.eps(i, j) + state_.eps(i + 1, j));") == 1U);

@@ -62,7 +62,7 @@ inline steady::Scene scene_of(const Point& point, reynolds::Wedge wedge, int n, 
 
 /// The finest grid's row, solved to a relative residual. errors: std::runtime_error if the residual is not reached.
 inline steady::LevelRow solved(steady::Scene scene, double residual) {
-  scene.multigrid.tolerance = residual;
+  scene.solver.tolerance = residual;
   const steady::Solution solution = steady::solve(scene);
   if (!solution.converged) throw std::runtime_error(solution.failed_check);
   return solution.levels.back();

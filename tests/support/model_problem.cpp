@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/norms.hpp"
-#include "fmg/cycle.hpp"
+#include "multigrid/cycle.hpp"
 
 namespace ehl::tests {
 namespace {
@@ -16,20 +16,20 @@ core::Grid grid_of(int cells, double stretch = 1.0) { return {cells, cells, X_a,
 
 }  // namespace
 
-fmg::RelaxationParameters ModelProblem::linear_relaxation() {
-  fmg::RelaxationParameters relaxation;
+multigrid::RelaxationParameters ModelProblem::linear_relaxation() {
+  multigrid::RelaxationParameters relaxation;
   relaxation.weight_single = 1.0;
   relaxation.weight_single_steep = 1.0;
   return relaxation;
 }
 
-ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle) {
+ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, multigrid::Cycle cycle) {
   const double h = grid_of(cells).hx();
   return {.cells = cells, .epsilon = [=](double, double) { return e * h * h; }, .wedge = wedge, .cycle = cycle};
 }
 
 ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int cells, reynolds::Wedge wedge,
-                                                 fmg::Cycle cycle) {
+                                                 multigrid::Cycle cycle) {
   const double h = grid_of(cells).hx();
   return {.cells = cells,
           .stretch = stretch,
@@ -38,7 +38,7 @@ ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int c
           .cycle = cycle};
 }
 
-ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) {
+ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, multigrid::Cycle cycle) {
   const auto epsilon = [](double X, double Y) {
     const double r2 = X * X + Y * Y;
     return r2 > 1.0 ? r2 * r2 * r2 / 8.0 : 0.0;
@@ -46,18 +46,18 @@ ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) 
   return {.cells = cells, .epsilon = epsilon, .wedge = wedge, .cycle = cycle};
 }
 
-fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
-  const fmg::Problem equations{.film = {.viscosity = rheology::Isoviscous{},
-                                        .density = rheology::Incompressible{},
-                                        .given_epsilon = problem.epsilon},
-                               .transport = problem.wedge,
-                               .load = std::nullopt,
-                               .cavitation = reynolds::Cavitation::none};
-  const fmg::Parameters parameters{
+multigrid::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
+  const multigrid::Problem equations{.film = {.viscosity = rheology::Isoviscous{},
+                                              .density = rheology::Incompressible{},
+                                              .given_epsilon = problem.epsilon},
+                                     .transport = problem.wedge,
+                                     .load = std::nullopt,
+                                     .cavitation = reynolds::Cavitation::none};
+  const multigrid::Parameters parameters{
       .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
-  fmg::Hierarchy hierarchy = fmg::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft},
-                                                 grid_of(problem.cells, problem.stretch), 1);
-  fmg::Level& level = hierarchy.finest();
+  multigrid::Hierarchy hierarchy = multigrid::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft},
+                                                             grid_of(problem.cells, problem.stretch), 1);
+  multigrid::Level& level = hierarchy.finest();
   level.F = core::Field(level.grid);
   for (int i = 0; i <= level.grid.nx; ++i)
     for (int j = 0; j <= level.grid.ny; ++j) {
@@ -69,8 +69,8 @@ fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
 }
 
 std::vector<double> error_factors(const ModelProblem& problem, int cycles) {
-  fmg::Hierarchy hierarchy = make_error_hierarchy(problem);
-  fmg::Level& level = hierarchy.finest();
+  multigrid::Hierarchy hierarchy = make_error_hierarchy(problem);
+  multigrid::Level& level = hierarchy.finest();
   std::mt19937 numbers(1992);
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j < level.grid.ny; ++j) level.P(i, j) = static_cast<double>(numbers()) / numbers.max() - 0.5;
@@ -81,8 +81,8 @@ std::vector<double> error_factors(const ModelProblem& problem, int cycles) {
     const double size = core::root_mean_square(level.P);
     for (int i = 1; i < level.grid.nx; ++i)
       for (int j = 1; j < level.grid.ny; ++j) level.P(i, j) /= size;
-    fmg::update_film(hierarchy, level);
-    fmg::fas_cycle(hierarchy, hierarchy.levels.size() - 1);
+    multigrid::update_film(hierarchy, level);
+    multigrid::fas_cycle(hierarchy, hierarchy.levels.size() - 1);
     factors.push_back(core::root_mean_square(level.P));
   }
   return factors;

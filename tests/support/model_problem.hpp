@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "fmg/hierarchy.hpp"
+#include "multigrid/hierarchy.hpp"
 
 namespace ehl::tests {
 
@@ -14,26 +14,26 @@ struct ModelProblem {
   int coarsest = 8;  ///< cells of the coarsest grid, as in the paper
   std::function<double(double, double)> epsilon;
   reynolds::Wedge wedge = reynolds::Wedge::upstream1;
-  fmg::Cycle cycle = fmg::Cycle::W;
-  fmg::RelaxationParameters relaxation = linear_relaxation();
+  multigrid::Cycle cycle = multigrid::Cycle::W;
+  multigrid::RelaxationParameters relaxation = linear_relaxation();
 
   /// The relaxation of the solver without the damping, which only the nonlinear problem needs.
-  static fmg::RelaxationParameters linear_relaxation();
+  static multigrid::RelaxationParameters linear_relaxation();
 };
 
 /// epsilon = e h^2 everywhere; h is the mesh size of the finest grid.
-ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
+ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, multigrid::Cycle cycle);
 
 /// epsilon = e hx hy everywhere, on cells of hx = stretch hy.
 ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int cells, reynolds::Wedge wedge,
-                                                 fmg::Cycle cycle);
+                                                 multigrid::Cycle cycle);
 
 /// Eq. (20): epsilon = (X^2 + Y^2)^3/8 outside the circle of radius 1, 0 inside.
-ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
+ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, multigrid::Cycle cycle);
 
 /// Grids of the problem with f = 0 and without the geometry term of the film. P = 0 is then the
 /// solution, and P is the error.
-fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem);
+multigrid::Hierarchy make_error_hierarchy(const ModelProblem& problem);
 
 /// The convergence factor of each V(2,1) or W(2,1) cycle (root mean square of P). The initial error is random,
 /// but the same in every run.

@@ -112,7 +112,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       }
     }
   }
-  if (parameters.aslant) result.side = side_force(film, parameters.slope);
+  if (parameters.oblique) result.side = side_force(film, parameters.slope);
   // For a line contact each of the grid's lines counts as the whole contact, so the sums are divided by ny.
   const double nodes_per_area = grid.line ? grid.ny / grid.hx() : 1.0 / (grid.hx() * grid.hy());
   if (film.outside) {

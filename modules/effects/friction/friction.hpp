@@ -38,7 +38,7 @@ struct Parameters {
   Cavitated cavitated = Cavitated::striated;
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda: limiting shear stress over pressure
   bool keep_tau1 = false, keep_tau2 = false;
-  bool aslant = false;  ///< not symmetric in Y, so that a side force exists
+  bool oblique = false;  ///< not symmetric in Y, so that a side force exists
   /// Rolling friction of X < outer_X is reported separately: the outer half of a flooded inlet. NaN: not reported.
   double outer_X = std::numeric_limits<double>::quiet_NaN();
   /// Oil fills the gap up to the undeformed gap at X = -meniscus; infinite: everywhere.

@@ -20,7 +20,7 @@ struct GridFactors {
 /// Factors on all grids of a hierarchy. They are constant while cycles run, so that a cycle has one operator.
 class Factors {
  public:
-  /// in: grids, the finest first, as from fmg::grids_below().
+  /// in: grids, the finest first, as from multigrid::grids_below().
   explicit Factors(const std::vector<core::Patch>& grids);
   /// Factors on finer grids, by bilinear interpolation from the grid of every second node.
   Factors(const std::vector<core::Patch>& grids, const Factors& coarse);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fmg/oil.hpp"
 #include "judgement/error_estimate.hpp"
 #include "judgement/stopping.hpp"
+#include "multigrid/mass_balance.hpp"
 
 namespace ehl::heat {
 namespace {
@@ -31,7 +31,7 @@ constexpr double least_error = 1e-3;
 // Friction, and temperature rise over T0, below which a value counts as zero.
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
 // If no under-relaxation of the temperature helps: damping of the relaxation, as for a difficult isothermal film.
-constexpr double back_off = 0.8, least_caution = 0.5;
+constexpr double back_off = 0.8, least_damping = 0.5;
 // A pass ends once its cycles have reduced the residual by this factor, or after most_cycles.
 constexpr double enough_of_a_pass = 0.5;
 constexpr int most_cycles = 4;
@@ -41,13 +41,13 @@ constexpr int quick = 3, sweeps_when_slow = 3;
 constexpr double order = 2.0;  // of mu and temperatures, as of the film
 
 // Previous pass, its contraction factor, and the q in use.
-struct Trail {
+struct History {
   Pass before;
   double factor = 0.5, q = 0.5;
 };
 
 // Estimated remaining change of a quantity over the allowed one. in: least, below which its size counts as zero.
-double over_allowed(const Parameters& parameters, const Pass& now, const Trail& trail, double Pass::*value,
+double over_allowed(const Parameters& parameters, const Pass& now, const History& history, double Pass::*value,
                     double least = 0.0) {
   std::vector<double> sequence;
   for (const Pass& one : parameters.below) sequence.push_back(one.*value);
@@ -57,47 +57,47 @@ double over_allowed(const Parameters& parameters, const Pass& now, const Trail& 
   if (std::isnan(error)) error = unknown_error;
   const double allowed = parameters.share * std::clamp(error, least_error, judgement::largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
-  const double change = std::abs(now.*value - trail.before.*value);
-  return change * trail.q / (1.0 - trail.q) / size / allowed;
+  const double change = std::abs(now.*value - history.before.*value);
+  return change * history.q / (1.0 - history.q) / size / allowed;
 }
 
 // Runs cycles with constant factors: one if it reduces the residual enough, more if the damping must increase first.
 // returns false if they find no film.
-bool cycle(fmg::Run& run, std::size_t l, bool first, LastCycle& last) {
-  fmg::Hierarchy& hierarchy = run.hierarchy;
+bool cycle(multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
+  multigrid::Hierarchy& hierarchy = run.hierarchy;
   bool done = false;
-  const fmg::CycleObserver observe = [&](int number, const Measures& now) {
+  const multigrid::CycleObserver observe = [&](int number, const Measures& now) {
     done = std::isfinite(now.residual) && now.Hm > 0.0;
     if (done) {
-      fmg::enter(hierarchy, l, number, now, run.record);
+      multigrid::enter(hierarchy, l, number, now, run.record);
       constexpr int usual = 4;  // passes, for the progress report
-      fmg::report(run, l, number, usual, now);
+      multigrid::report(run, l, number, usual, now);
     }
-    return fmg::DiscretizationError{};
+    return multigrid::DiscretizationError{};
   };
-  fmg::update_film(hierarchy, hierarchy.levels[l]);
-  const double before = fmg::measures_of(hierarchy, l).residual;
-  const fmg::CyclesResult result = fmg::run_cycles(
+  multigrid::update_film(hierarchy, hierarchy.levels[l]);
+  const double before = multigrid::measures_of(hierarchy, l).residual;
+  const multigrid::CyclesResult result = multigrid::run_cycles(
       hierarchy, l, {.aim = judgement::Aim::residual, .most = most_cycles, .tolerance = enough_of_a_pass * before},
-      run.caution, observe);
-  run.caution = result.caution;
+      run.damping, observe);
+  run.damping = result.damping;
   last = result.last;
   last.first = first;
-  const fmg::LevelRow& row = run.record.levels.back();
+  const multigrid::LevelRow& row = run.record.levels.back();
   const double one_grid = judgement::error_of_one_grid(hierarchy.levels[l].grid.hx(), last.after.Hm, order);
   last.error_Hc = std::isnan(row.error_Hc) ? one_grid : row.error_Hc;
   last.error_Hm = std::isnan(row.error_Hm) ? one_grid : row.error_Hm;
-  if (last.after.residual > fmg::rough_factor * last.before.residual) run.caution.relax_after = true;
-  return done && result.end != fmg::CyclesEnd::diverged;
+  if (last.after.residual > multigrid::rough_factor * last.before.residual) run.damping.relax_after = true;
+  return done && result.end != multigrid::CyclesEnd::diverged;
 }
 
-Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Trail& trail,
+Pass pass_of(const Measures& measures, const thermal::Balance& balance, const History& history,
              const Parameters& parameters) {
   Pass pass{.Hc = measures.Hc, .Hm = measures.Hm, .mu = balance.friction, .theta = balance.film.theta};
   pass.change =
-      std::max({over_allowed(parameters, pass, trail, &Pass::Hc), over_allowed(parameters, pass, trail, &Pass::Hm),
-                over_allowed(parameters, pass, trail, &Pass::mu, least_mu),
-                over_allowed(parameters, pass, trail, &Pass::theta, least_theta)});
+      std::max({over_allowed(parameters, pass, history, &Pass::Hc), over_allowed(parameters, pass, history, &Pass::Hm),
+                over_allowed(parameters, pass, history, &Pass::mu, least_mu),
+                over_allowed(parameters, pass, history, &Pass::theta, least_theta)});
   return pass;
 }
 
@@ -117,28 +117,28 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
 
 // Closes the oil balance of a solution. in: the state before its pass. returns the criterion that is not met then;
 // empty if all are.
-std::string close_oil(fmg::Run& run, std::size_t l, const fmg::State& before, const Parameters& parameters,
-                      LastCycle& last) {
-  fmg::Hierarchy& hierarchy = run.hierarchy;
-  if (!fmg::conserves_mass(hierarchy.levels[l])) return {};
-  const fmg::RelaxationParameters relaxation = fmg::cautious(hierarchy.parameters, run.caution).relaxation;
+std::string correct_mass(multigrid::Run& run, std::size_t l, const multigrid::State& before,
+                         const Parameters& parameters, LastCycle& last) {
+  multigrid::Hierarchy& hierarchy = run.hierarchy;
+  if (!multigrid::conserves_mass(hierarchy.levels[l])) return {};
+  const multigrid::RelaxationParameters relaxation = multigrid::cautious(hierarchy.parameters, run.damping).relaxation;
   const auto judge = [&] {
     const int number = run.record.history.back().cycle;
     run.record.history.pop_back();
-    fmg::enter(hierarchy, l, number, last.after, run.record);
+    multigrid::enter(hierarchy, l, number, last.after, run.record);
     return judgement::Verdict{judgement::unmet_check(last, parameters.tolerance)};
   };
-  return fmg::close_or_leave(hierarchy, l, before, relaxation, last.after, judge).unmet;
+  return multigrid::close_or_leave(hierarchy, l, before, relaxation, last.after, judge).unmet;
 }
 
 // Updates temperature and factors from the state. returns the change of the coefficients that the film requires.
-double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
+double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
              double weight, thermal::Balance& balance) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
-  fmg::Level& level = hierarchy.levels[l];
-  if (fmg::conserves_mass(level)) {
-    fmg::update_residual(hierarchy, level);
-    const core::Field theta = fmg::theta_of(level);
+  multigrid::Level& level = hierarchy.levels[l];
+  if (multigrid::conserves_mass(level)) {
+    multigrid::update_residual(hierarchy, level);
+    const core::Field theta = multigrid::theta_of(level);
     film.take(level.P, level.H, &theta);
   } else {
     film.take(level.P, level.H);
@@ -153,46 +153,47 @@ double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTe
 
 }  // namespace
 
-Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
+Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
                const Parameters& parameters) {
-  fmg::Hierarchy& hierarchy = run.hierarchy;
-  fmg::Level& level = hierarchy.levels[l];
+  multigrid::Hierarchy& hierarchy = run.hierarchy;
+  multigrid::Level& level = hierarchy.levels[l];
   Result result;
-  Trail trail;
+  History history;
   LastCycle last;
   double weight = parameters.first_weight, asked_before = INFINITY;
   for (int n = 1; n <= parameters.most; ++n) {
-    const fmg::State kept = fmg::state_of(hierarchy, l);
-    const fmg::Caution caution = run.caution;
+    const multigrid::State kept = multigrid::state_of(hierarchy, l);
+    const multigrid::Damping damping = run.damping;
     const double asked = renew(hierarchy, l, n, film, factors, weight, result.balance);
     const double factor = std::clamp(asked / asked_before, least_q, most_q);
-    if (n > 1) trail.q = n > 2 && parameters.slow ? std::max(factor, trail.factor) : factor;
-    trail.factor = factor;
+    if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
+    history.factor = factor;
     const bool falls = asked < (1.0 - half_of_it * weight) * asked_before;
     weight = falls ? std::min(1.0, more * weight) : std::max(least_weight, less * weight);
     const bool good = std::isfinite(asked) && cycle(run, l, n == 1, last);
-    Pass pass = good ? pass_of(last.after, result.balance, trail, parameters) : trail.before;
+    Pass pass = good ? pass_of(last.after, result.balance, history, parameters) : history.before;
     pass.weight = weight;
     pass.undone = !good;
     result.passes.push_back(pass);
     result.unmet = unmet_of(pass, result.balance, last, parameters);
     if (good) {
-      if (n > 1 && result.unmet.empty() && l == run.finest()) result.unmet = close_oil(run, l, kept, parameters, last);
+      if (n > 1 && result.unmet.empty() && l == run.finest())
+        result.unmet = correct_mass(run, l, kept, parameters, last);
       run.record.verification = judgement::verification_of(last);
       if (n > 1 && result.unmet.empty()) return result;
-      trail.before = pass;
+      history.before = pass;
       asked_before = asked;
       continue;
     }
     core::copy(kept.P, level.P);
     hierarchy.H00 = kept.H00;
     factors.give_back();
-    fmg::update_film(hierarchy, level);
+    multigrid::update_film(hierarchy, level);
     weight *= 0.5;
-    run.caution = caution;
+    run.damping = damping;
     if (weight >= least_weight) continue;
-    run.caution = {.all = back_off * caution.all, .steep = back_off * caution.steep, .relax_after = true};
-    if (run.caution.all < least_caution) return result;
+    run.damping = {.all = back_off * damping.all, .steep = back_off * damping.steep, .relax_after = true};
+    if (run.damping.all < least_damping) return result;
     weight = 1.0;
   }
   return result;

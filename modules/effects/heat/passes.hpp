@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "effects/heat/factors.hpp"
-#include "fmg/full_multigrid.hpp"
 #include "judgement/measures.hpp"
+#include "multigrid/full_multigrid.hpp"
 #include "thermal/film_temperature.hpp"
 
 namespace ehl::heat {
@@ -49,7 +49,7 @@ struct Result {
 /// undone and repeated with half the under-relaxation factor. The factor also falls if the required change does not
 /// fall. Updates the last row of the record.
 /// limits: neither the Newton fallback nor load continuation is available. errors: core::Interrupted.
-Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
+Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
                const Parameters& parameters);
 
 }  // namespace ehl::heat

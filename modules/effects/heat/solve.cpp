@@ -10,11 +10,11 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "effects/heat/report.hpp"
-#include "fmg/start.hpp"
 #include "judgement/error_estimate.hpp"
+#include "multigrid/start.hpp"
 #include "reynolds/wedge.hpp"
-#include "steady/climb.hpp"
 #include "steady/error_bars.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "steady/warnings.hpp"
 #include "transfer/transfer.hpp"
 
@@ -33,9 +33,9 @@ constexpr double residual_below = 1e-3, change_below = 2e-3;
 constexpr double change_of_first = 3e-4;
 
 // The sequence of grids and the state of the iteration.
-struct Ladder {
+struct HeatedRun {
   steady::Scene scene;  // with the effect of the factors
-  fmg::Run run;
+  multigrid::Run run;
   std::shared_ptr<Factors> factors;
   double first_weight = 1.0;  // under-relaxation factor of the first pass on the first grid
   std::vector<Pass> found{};  // coarse to fine
@@ -45,7 +45,7 @@ struct Ladder {
 };
 
 // Share of the contact's load that the domain carries.
-double share_of_load(const fmg::Run& run, std::size_t l) {
+double share_of_load(const multigrid::Run& run, std::size_t l) {
   const core::Patch& patch = run.hierarchy.levels[l].grid;
   double sum = 0.0;
   for (int i = 0; i <= patch.nx; ++i)
@@ -54,22 +54,22 @@ double share_of_load(const fmg::Run& run, std::size_t l) {
   return load ? sum * patch.hx() * patch.hy() / *load : 1.0;
 }
 
-Ladder begin(steady::Scene scene, const steady::ProgressCallback& progress) {
+HeatedRun begin(steady::Scene scene, const steady::ProgressCallback& progress) {
   const auto factors = std::make_shared<Factors>(std::vector<core::Patch>{scene.grid});
   scene.effects.push_back(Factors::effect(factors));
   const steady::Start start{.coarsest = steady::held_by(64, scene) ? 32 : 64};
-  fmg::Run run = steady::begin_climb(scene, start, progress);
-  run.caution = run.plan.above;
+  multigrid::Run run = steady::begin_multigrid(scene, start, progress);
+  run.damping = run.plan.above;
   return {.scene = std::move(scene), .run = std::move(run), .factors = factors};
 }
 
-std::vector<core::Patch> patches_from(const fmg::Run& run, std::size_t l) {
+std::vector<core::Patch> patches_from(const multigrid::Run& run, std::size_t l) {
   std::vector<core::Patch> patches;
   for (std::size_t k = l + 1; k-- > 0;) patches.push_back(run.hierarchy.levels[k].grid);
   return patches;
 }
 
-fmg::State injected(const fmg::Run& run, std::size_t l, const steady::Solution& isothermal) {
+multigrid::State injected(const multigrid::Run& run, std::size_t l, const steady::Solution& isothermal) {
   core::Field P = core::on_patch(run.hierarchy.levels.back().grid, isothermal.P);
   for (std::size_t k = run.finest(); k > l; --k) {
     core::Field below(run.hierarchy.levels[k - 1].grid);
@@ -96,36 +96,36 @@ void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch,
 }
 
 // Passes on one grid, from its current state.
-void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
-  fmg::Run& run = ladder.run;
-  fmg::RowTimer timer(run);
+void pass_on(HeatedRun& heated, std::size_t l, thermal::Setup setup) {
+  multigrid::Run& run = heated.run;
+  multigrid::RowTimer timer(run);
   const double began = core::now();
   setup.patch = run.hierarchy.levels[l].grid;
   setup.threads = run.hierarchy.threads_on(setup.patch);
-  std::optional<thermal::FilmTemperature> coarser = std::move(ladder.below);
-  ladder.below = std::move(ladder.film);
-  ladder.film.emplace(setup);
-  if (ladder.below) ladder.film->start_from(*ladder.below, coarser ? &*coarser : nullptr);
-  Parameters parameters{.below = ladder.found, .tolerance = run.hierarchy.parameters.tolerance};
-  parameters.slow = ladder.found.empty();
-  if (ladder.found.empty()) parameters.first_weight = ladder.first_weight;
+  std::optional<thermal::FilmTemperature> coarser = std::move(heated.below);
+  heated.below = std::move(heated.film);
+  heated.film.emplace(setup);
+  if (heated.below) heated.film->start_from(*heated.below, coarser ? &*coarser : nullptr);
+  Parameters parameters{.below = heated.found, .tolerance = run.hierarchy.parameters.tolerance};
+  parameters.slow = heated.found.empty();
+  if (heated.found.empty()) parameters.first_weight = heated.first_weight;
   if (l < run.finest()) {
     parameters.tolerance = residual_below;
     parameters.below.clear();
-    parameters.error = (ladder.found.empty() ? change_of_first : change_below) / parameters.share;
+    parameters.error = (heated.found.empty() ? change_of_first : change_below) / parameters.share;
   }
   run.record.levels.emplace_back();
-  ladder.last = heat_up(run, l, *ladder.film, *ladder.factors, parameters);
+  heated.last = heat_up(run, l, *heated.film, *heated.factors, parameters);
   timer.stop();
   run.record.levels.back().observed =
-      steady::observed(ladder.scene, run.hierarchy, l, core::on_domain(setup.patch, ladder.film->I0()),
-                       core::on_domain(setup.patch, ladder.film->less_tau()));
-  const Pass& pass = ladder.last.passes.back();
-  const thermal::Balance& balance = ladder.last.balance;
-  ladder.found.push_back(pass);
-  ladder.rows.push_back({.nx = setup.patch.nx,
+      steady::observed(heated.scene, run.hierarchy, l, core::on_domain(setup.patch, heated.film->I0()),
+                       core::on_domain(setup.patch, heated.film->less_tau()));
+  const Pass& pass = heated.last.passes.back();
+  const thermal::Balance& balance = heated.last.balance;
+  heated.found.push_back(pass);
+  heated.rows.push_back({.nx = setup.patch.nx,
                          .ny = setup.patch.domain.ny,
-                         .passes = static_cast<int>(ladder.last.passes.size()),
+                         .passes = static_cast<int>(heated.last.passes.size()),
                          .Hc = pass.Hc,
                          .Hm = pass.Hm,
                          .mu = balance.friction * share_of_load(run, l),
@@ -134,45 +134,46 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
                          .surface_2 = balance.surface_2.theta,
                          .defect = balance.defect,
                          .seconds = core::now() - began});
-  look_behind(*ladder.film, setup.patch, run.hierarchy.problem.geometry.outline, setup.intervals, ladder.rows.back());
+  look_behind(*heated.film, setup.patch, run.hierarchy.problem.geometry.outline, setup.intervals, heated.rows.back());
 }
 
 // From grid `first` to the finest. returns true if all grids converged.
-bool climb(Ladder& ladder, std::size_t first, const thermal::Setup& setup, const steady::Solution& isothermal) {
-  fmg::Run& run = ladder.run;
+bool solve_levels(HeatedRun& heated, std::size_t first, const thermal::Setup& setup,
+                  const steady::Solution& isothermal) {
+  multigrid::Run& run = heated.run;
   run.record.levels.clear();
-  run.caution = run.plan.above;
-  ladder.found.clear();
-  ladder.rows.clear();
-  ladder.film.reset();
-  ladder.below.reset();
-  fmg::State two_below;
+  run.damping = run.plan.above;
+  heated.found.clear();
+  heated.rows.clear();
+  heated.film.reset();
+  heated.below.reset();
+  multigrid::State two_below;
   try {
     for (std::size_t l = first; l <= run.finest(); ++l) {
       if (l == first) {
-        *ladder.factors = Factors(patches_from(run, l));
-        fmg::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
+        *heated.factors = Factors(patches_from(run, l));
+        multigrid::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
       } else {
-        fmg::State below = fmg::state_of(run.hierarchy, l - 1);
-        *ladder.factors = Factors(patches_from(run, l), *ladder.factors);
+        multigrid::State below = multigrid::state_of(run.hierarchy, l - 1);
+        *heated.factors = Factors(patches_from(run, l), *heated.factors);
         if (two_below.P.nodes_x() > 0)
-          fmg::start_from_two_coarser(run.hierarchy, l, two_below,
-                                      reynolds::order(run.hierarchy.problem.transport.wedge));
+          multigrid::start_from_two_coarser(run.hierarchy, l, two_below,
+                                            reynolds::order(run.hierarchy.problem.transport.wedge));
         else
-          fmg::start_from_coarser(run.hierarchy, l);
+          multigrid::start_from_coarser(run.hierarchy, l);
         two_below = std::move(below);
       }
-      pass_on(ladder, l, setup);
-      if (!ladder.last.unmet.empty()) return false;
+      pass_on(heated, l, setup);
+      if (!heated.last.unmet.empty()) return false;
     }
   } catch (const core::SolverError& error) {
-    ladder.last.unmet = error.what();
+    heated.last.unmet = error.what();
     return false;
   }
   return true;
 }
 
-std::size_t first_grid(const fmg::Run& run) {
+std::size_t first_grid(const multigrid::Run& run) {
   const std::size_t finest = run.finest(), least = std::min(run.plan.first, finest);
   std::size_t first = std::max(least, finest - std::min(finest, grids_below));
   const auto too_fine = [&](const core::Patch& grid) { return grid.domain.line && grid.nx > cells_of_first_line; };
@@ -181,29 +182,29 @@ std::size_t first_grid(const fmg::Run& run) {
 }
 
 // If a grid is too coarse for the thermal solution, the sequence starts again on the next finer one.
-Ladder found(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
-             const steady::ProgressCallback& progress, double first_weight = 1.0) {
-  Ladder ladder = begin(scene, progress);
-  ladder.first_weight = first_weight;
-  const std::size_t finest = ladder.run.finest();
-  std::size_t first = first_grid(ladder.run);
-  while (!climb(ladder, first, setup, isothermal) && first < finest)
-    first = std::min(finest, first + std::max<std::size_t>(1, ladder.rows.size()));
-  return ladder;
+HeatedRun found(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
+                const steady::ProgressCallback& progress, double first_weight = 1.0) {
+  HeatedRun heated = begin(scene, progress);
+  heated.first_weight = first_weight;
+  const std::size_t finest = heated.run.finest();
+  std::size_t first = first_grid(heated.run);
+  while (!solve_levels(heated, first, setup, isothermal) && first < finest)
+    first = std::min(finest, first + std::max<std::size_t>(1, heated.rows.size()));
+  return heated;
 }
 
 // Line contacts: V cycles first; if they fail, F cycles with this under-relaxation factor in the first pass.
 // [bench: heat_gentle]
 constexpr double gentle = 0.25;
-Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
-                           const steady::ProgressCallback& progress) {
-  Ladder ladder = found(scene, setup, isothermal, progress);
-  const bool free = scene.grid.line && !scene.multigrid.cycle && std::isnan(scene.multigrid.tolerance);
-  if (ladder.last.unmet.empty() || !free) return ladder;
+HeatedRun found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& setup,
+                              const steady::Solution& isothermal, const steady::ProgressCallback& progress) {
+  HeatedRun heated = found(scene, setup, isothermal, progress);
+  const bool free = scene.grid.line && !scene.solver.cycle && std::isnan(scene.solver.tolerance);
+  if (heated.last.unmet.empty() || !free) return heated;
   steady::Scene careful = scene;
-  careful.multigrid.cycle = fmg::Cycle::F;
-  Ladder other = found(careful, setup, isothermal, progress, gentle);
-  return other.last.unmet.empty() ? std::move(other) : std::move(ladder);
+  careful.solver.cycle = multigrid::Cycle::F;
+  HeatedRun other = found(careful, setup, isothermal, progress, gentle);
+  return other.last.unmet.empty() ? std::move(other) : std::move(heated);
 }
 
 // Error of Hc and Hm from the length of the inlet, per |ln(epsilon/epsilon_cold)| at the first node of a line contact:
@@ -238,20 +239,20 @@ void complete(const steady::Scene& scene, const steady::Solution& isothermal, bo
 Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
                const steady::ProgressCallback& progress) {
   const double began = core::now();
-  Ladder ladder = found_by_some_cycle(scene, setup, isothermal, progress);
-  fmg::Record& record = ladder.run.record;
-  record.converged = ladder.last.unmet.empty();
+  HeatedRun heated = found_by_some_cycle(scene, setup, isothermal, progress);
+  multigrid::Record& record = heated.run.record;
+  record.converged = heated.last.unmet.empty();
   record.failed_check = record.converged ? ""
-                                         : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
+                                         : multigrid::name_of_level(heated.run.hierarchy, heated.run.finest()) +
                                                (setup.cold() ? ", with thinning by the flow: " : ", with heat: ") +
-                                               ladder.last.unmet;
-  record.end = record.converged ? fmg::CyclesEnd::content : fmg::CyclesEnd::limit;
-  const fmg::Level& level = ladder.run.hierarchy.finest();
-  Solution result = report(*ladder.film, level.grid, level.P, level.H, setup, ladder.last.balance, ladder.rows);
-  const double warm_inlet = std::abs(std::log(ladder.run.hierarchy.far_motion.mobility));
-  result.film = steady::solution_of(ladder.scene, std::move(ladder.run));
+                                               heated.last.unmet;
+  record.end = record.converged ? multigrid::CyclesEnd::converged : multigrid::CyclesEnd::limit;
+  const multigrid::Level& level = heated.run.hierarchy.finest();
+  Solution result = report(*heated.film, level.grid, level.P, level.H, setup, heated.last.balance, heated.rows);
+  const double warm_inlet = std::abs(std::log(heated.run.hierarchy.far_motion.mobility));
+  result.film = steady::solution_of(heated.scene, std::move(heated.run));
   result.film.C_centre = result.C;
-  result.undone = !result.film.converged && !ladder.last.passes.empty() && ladder.last.passes.back().undone;
+  result.undone = !result.film.converged && !heated.last.passes.empty() && heated.last.passes.back().undone;
   complete(scene, isothermal, setup.cold(), warm_inlet, result.film);
   judge_below_spike(result.film.error_bars, result);
   result.seconds = core::now() - began;

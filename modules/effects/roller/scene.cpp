@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "contact/ellipse.hpp"
-#include "fmg/hierarchy.hpp"
-#include "steady/climb.hpp"
+#include "multigrid/hierarchy.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::roller {
 namespace {
@@ -33,7 +33,7 @@ void lay(const Profile& profile, steady::Scene& scene) {
 }
 
 dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
-  const fmg::Geometry geometry = steady::geometry_of(scene.shape);
+  const multigrid::Geometry geometry = steady::geometry_of(scene.shape);
   dry::Problem problem{.grid = grid,
                        .gap = core::Field(grid),
                        .load = contact::load(scene.shape),
@@ -42,7 +42,7 @@ dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
                        .outline = geometry.outline};
   scene.surface(grid, problem.gap);
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) problem.gap(i, j) += fmg::rigid_gap(geometry, grid, 0.0, i, j);
+    for (int j = 0; j <= grid.ny; ++j) problem.gap(i, j) += multigrid::rigid_gap(geometry, grid, 0.0, i, j);
   return problem;
 }
 

@@ -96,24 +96,25 @@ std::vector<deck::Key> keys() {
                   .example = "10"}});
 }
 
-const std::vector<std::string>& ways() {
+const std::vector<std::string>& supply_keys() {
   static const std::vector<std::string> all{"H_oil",         "layer_m",       "layer1_m", "layer2_m",
                                             "flow_m3_per_s", "flow_m2_per_s", "profile"};
   return all;
 }
 
 bool called_for(const deck::Deck& deck) {
-  return std::ranges::any_of(ways(), [&](const std::string& name) { return deck::given(deck, "supply", name); });
+  return std::ranges::any_of(supply_keys(), [&](const std::string& name) { return deck::given(deck, "supply", name); });
 }
 
 Input read(deck::Deck& deck, const Scales& scales) {
   const deck::Part supply{deck, "supply"};
   Input input;
   const bool two = supply.given("layer1_m") || supply.given("layer2_m");
-  std::vector<std::string> ways = supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "flow_m2_per_s", "profile"});
-  if (two) ways.push_back(supply.given("layer1_m") ? "layer1_m" : "layer2_m");
-  for (std::size_t k = 1; k < ways.size(); ++k)
-    supply.complain(ways[k], "the supply is already given by " + ways[0] + ": keep one of them");
+  std::vector<std::string> supply_keys =
+      supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "flow_m2_per_s", "profile"});
+  if (two) supply_keys.push_back(supply.given("layer1_m") ? "layer1_m" : "layer2_m");
+  for (std::size_t k = 1; k < supply_keys.size(); ++k)
+    supply.complain(supply_keys[k], "the supply is already given by " + supply_keys[0] + ": keep one of them");
   if (two)
     supply.demand({"layer1_m", "layer2_m"}, "layer1_m and layer2_m belong together: set 0 for a surface without oil");
   if (!scales.in_SI)

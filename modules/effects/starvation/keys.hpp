@@ -37,7 +37,7 @@ struct Input {
 /// Keys of [supply].
 std::vector<deck::Key> keys();
 /// Keys that give a supply: one of them, or both layers.
-const std::vector<std::string>& ways();
+const std::vector<std::string>& supply_keys();
 /// True if the deck gives a supply.
 bool called_for(const deck::Deck& deck);
 /// Reports keys that contradict each other or need a contact in SI.

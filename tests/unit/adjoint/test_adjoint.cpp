@@ -10,11 +10,11 @@
 #include "adjoint/weights.hpp"
 #include "contact/groups.hpp"
 #include "core/norms.hpp"
-#include "fmg/full_multigrid.hpp"
-#include "fmg/start.hpp"
 #include "judgement/measures.hpp"
+#include "multigrid/full_multigrid.hpp"
+#include "multigrid/start.hpp"
 #include "newton/solve.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "support/roelands_scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_adjoint)
@@ -34,7 +34,7 @@ struct Case {
 };
 
 /// The deformation is computed by Fourier transforms, so K is symmetric to rounding.
-fmg::Run run_of(const Case& c, int first_cells) {
+multigrid::Run run_of(const Case& c, int first_cells) {
   steady::Scene scene = tests::roelands_scene(c.M, c.L, c.grid);
   const contact::Groups groups = contact::from_moes(c.M, c.L, contact::ellipse(c.ratio, c.angle));
   scene.lambda = groups.lambda;
@@ -47,10 +47,10 @@ fmg::Run run_of(const Case& c, int first_cells) {
   scene.face = c.face;
   scene.far_field = c.far_field;
   scene.deformation.method = mlmi::Method::fft;
-  return steady::begin_climb(scene, {.cells = first_cells, .caution_at_first = 0.5}, {});
+  return steady::begin_multigrid(scene, {.cells = first_cells, .damping_at_first = 0.5}, {});
 }
 
-void solve(fmg::Run& run, std::size_t l) {
+void solve(multigrid::Run& run, std::size_t l) {
   const newton::Result result = newton::solve(run.hierarchy, l);
   BOOST_TEST_REQUIRE(result.converged, result.reason);
 }
@@ -58,7 +58,7 @@ void solve(fmg::Run& run, std::size_t l) {
 struct Numbers {
   adjoint::Number Hc, Hm;
 };
-Numbers numbers_of(const fmg::Level& level) {
+Numbers numbers_of(const multigrid::Level& level) {
   const core::Location least = core::minimum(level.H);
   return {judgement::weights_at(level.grid, 0.0, 0.0),
           judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j)};
@@ -67,7 +67,7 @@ Numbers numbers_of(const fmg::Level& level) {
 struct Values {
   double Hc, Hm;
 };
-Values values_of(const fmg::Level& level) {
+Values values_of(const multigrid::Level& level) {
   const core::Location least = core::minimum(level.H);
   return {judgement::value_at(level.grid, level.H, 0.0, 0.0),
           judgement::fitted_minimum(level.grid, level.H, least.i, least.j).value};
@@ -114,13 +114,13 @@ const Case cases[] = {
 // Residuals of the Reynolds equation, in patches of the inlet, the contact and its sides, and a residual of the load.
 BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
   for (const Case& c : cases) {
-    fmg::Run run = run_of(c, c.grid.nx);
+    multigrid::Run run = run_of(c, c.grid.nx);
     const std::size_t l = run.finest() - 1;
-    fmg::Hierarchy& hierarchy = run.hierarchy;
-    fmg::Level& level = hierarchy.levels[l];
-    fmg::start_from_hertz(hierarchy, l, run.plan.H00, 40);
+    multigrid::Hierarchy& hierarchy = run.hierarchy;
+    multigrid::Level& level = hierarchy.levels[l];
+    multigrid::start_from_hertz(hierarchy, l, run.plan.H00, 40);
     solve(run, l);
-    const fmg::State solution = fmg::state_of(hierarchy, l);
+    const multigrid::State solution = multigrid::state_of(hierarchy, l);
     const Numbers numbers = numbers_of(level);
     adjoint::Adjoint adjoint(hierarchy, l);
     const auto Hc = adjoint.weights(numbers.Hc, 1e-9);
@@ -139,19 +139,19 @@ BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
         const double dY = level.grid.Y(j) - bump.Y;
         return size * std::exp(-8.0 * (dX * dX + dY * dY));
       };
-      double foretold_Hc = 0.0, foretold_Hm = 0.0;
+      double predicted_Hc = 0.0, predicted_Hm = 0.0;
       core::Field f(level.grid);
       for (int i = 1; i < level.grid.nx; ++i)
         for (int j = 1; j <= level.grid.last_line(); ++j) {
           f(i, j) = shape(i, j);
-          foretold_Hc -= Hc->residual(i, j) * f(i, j);
-          foretold_Hm -= Hm->residual(i, j) * f(i, j);
+          predicted_Hc -= Hc->residual(i, j) * f(i, j);
+          predicted_Hm -= Hm->residual(i, j) * f(i, j);
         }
-      foretold_Hc += Hc->load * size * bump.load;
-      foretold_Hm += Hm->load * size * bump.load;
+      predicted_Hc += Hc->load * size * bump.load;
+      predicted_Hm += Hm->load * size * bump.load;
       double true_Hc = 0.0, true_Hm = 0.0;
       for (const double sign : {1.0, -1.0}) {
-        fmg::start_from_state(hierarchy, l, solution);
+        multigrid::start_from_state(hierarchy, l, solution);
         for (int i = 1; i < level.grid.nx; ++i)
           for (int j = 1; j <= level.grid.last_line(); ++j) level.f(i, j) = sign * f(i, j);
         level.load += sign * size * bump.load;
@@ -160,11 +160,11 @@ BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
         true_Hc += 0.5 * sign * values.Hc;
         true_Hm += 0.5 * sign * values.Hm;
       }
-      fmg::start_from_state(hierarchy, l, solution);
-      BOOST_TEST_MESSAGE("  at (" << bump.X << ", " << bump.Y << "): Hc " << foretold_Hc << " true " << true_Hc
-                                  << ", Hm " << foretold_Hm << " true " << true_Hm);
-      BOOST_TEST(std::abs(foretold_Hc - true_Hc) <= 2e-4 * std::abs(true_Hc));
-      BOOST_TEST(std::abs(foretold_Hm - true_Hm) <= 2e-4 * std::abs(true_Hm));
+      multigrid::start_from_state(hierarchy, l, solution);
+      BOOST_TEST_MESSAGE("  at (" << bump.X << ", " << bump.Y << "): Hc " << predicted_Hc << " true " << true_Hc
+                                  << ", Hm " << predicted_Hm << " true " << true_Hm);
+      BOOST_TEST(std::abs(predicted_Hc - true_Hc) <= 2e-4 * std::abs(true_Hc));
+      BOOST_TEST(std::abs(predicted_Hm - true_Hm) <= 2e-4 * std::abs(true_Hm));
     }
   }
 }
@@ -173,11 +173,11 @@ BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
 // cells, which is solved too.
 BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
   for (const Case& c : cases) {
-    fmg::Run run = run_of(c, c.grid.nx);
+    multigrid::Run run = run_of(c, c.grid.nx);
     const std::size_t fine = run.finest();
-    fmg::Hierarchy& hierarchy = run.hierarchy;
-    fmg::Level& level = hierarchy.levels[fine - 1];
-    fmg::full_multigrid(run);
+    multigrid::Hierarchy& hierarchy = run.hierarchy;
+    multigrid::Level& level = hierarchy.levels[fine - 1];
+    multigrid::full_multigrid(run);
     solve(run, fine);
     const Values fine_values = values_of(hierarchy.finest());
     const adjoint::Truncation parts = adjoint::truncation(hierarchy, fine - 1, fine);
@@ -198,12 +198,13 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
       BOOST_REQUIRE(weights);
       const double change = adjoint::left_over(*weights, r, P, parts.load);
       const double now = fine_values.*value;
-      const double foretold = now - (injected.*value - change);
+      const double predicted = now - (injected.*value - change);
       const double changed = now - coarse_values.*value;
-      BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", predicted " << foretold / now);
+      BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", predicted "
+                                << predicted / now);
       // The prediction is of first order. The remainder is quadratic in the change of pressure, which is
       // largest at a spike near Hm.
-      BOOST_TEST(std::abs(foretold - changed) <= 0.04 * std::abs(changed) + second_order * now);
+      BOOST_TEST(std::abs(predicted - changed) <= 0.04 * std::abs(changed) + second_order * now);
     };
     check("Hc", weights_Hc, &Values::Hc, 1e-4);
     check("Hm", weights_Hm, &Values::Hm, 5e-4);
@@ -215,9 +216,9 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
 BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
   for (const Case& c : cases) {
     if (!reynolds::third_order(c.wedge)) continue;
-    fmg::Run run = run_of(c, c.grid.nx / 2);
-    fmg::full_multigrid(run);
-    fmg::Hierarchy& hierarchy = run.hierarchy;
+    multigrid::Run run = run_of(c, c.grid.nx / 2);
+    multigrid::full_multigrid(run);
+    multigrid::Hierarchy& hierarchy = run.hierarchy;
     const Values left = values_of(hierarchy.finest());
     const core::Field P = hierarchy.finest().P, H = hierarchy.finest().H;
     const double H00 = hierarchy.H00;
@@ -240,10 +241,10 @@ BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
     }
     solve(run, run.finest());
     const Values solved = values_of(hierarchy.finest());
-    const auto check = [&](const char* name, const adjoint::Foretold& foretold, double before, double after,
+    const auto check = [&](const char* name, const adjoint::PredictedChange& predicted, double before, double after,
                            double by_change) {
       const double error = 1.0 - after / before;
-      const double bound = by_change + std::abs(foretold.left) + 0.1 * foretold.scattered;
+      const double bound = by_change + std::abs(predicted.left) + 0.1 * predicted.scattered;
       BOOST_TEST_MESSAGE(c.name << ": " << name << " " << error << ", bound " << bound);
       BOOST_TEST(std::abs(error) <= bound);
     };

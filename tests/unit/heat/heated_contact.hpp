@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "effects/heat/passes.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "unit/thermal/base_case.hpp"
 
 namespace support {
@@ -38,13 +38,13 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
   ehl::thermal::Setup setup = base.setup(half);
   change(setup);
   ehl::steady::Scene scene = scene_of(base, setup, grid);
-  const auto factors = std::make_shared<ehl::heat::Factors>(ehl::fmg::grids_below(half, scene.multigrid));
+  const auto factors = std::make_shared<ehl::heat::Factors>(ehl::multigrid::grids_below(half, scene.solver));
   scene.effects = {ehl::heat::Factors::effect(factors)};
-  ehl::fmg::Run run = ehl::steady::begin_climb(scene, {}, {});
+  ehl::multigrid::Run run = ehl::steady::begin_multigrid(scene, {}, {});
   BOOST_REQUIRE((run.hierarchy.finest().grid == half));
-  ehl::fmg::full_multigrid(run);
+  ehl::multigrid::full_multigrid(run);
   Found found;
-  const ehl::judgement::Measures cold = ehl::fmg::measures_of(run.hierarchy, run.finest());
+  const ehl::judgement::Measures cold = ehl::multigrid::measures_of(run.hierarchy, run.finest());
   found.Hc_cold = cold.Hc;
   found.Hm_cold = cold.Hm;
   ehl::thermal::FilmTemperature film(setup);
@@ -64,7 +64,7 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
 }
 template <class Change>
 Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, double share = 0.1) {
-  return solve(base, grid, change, share, [](const ehl::thermal::FilmTemperature&, const ehl::fmg::Level&) {});
+  return solve(base, grid, change, share, [](const ehl::thermal::FilmTemperature&, const ehl::multigrid::Level&) {});
 }
 inline ehl::core::Grid square(int n) { return {n, n, -4.5, 1.5, -3.0, 3.0}; }
 

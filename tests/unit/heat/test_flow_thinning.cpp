@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(secants_of_pure_rolling) {
   const BaseCase base = thin_oil(0.0);
   const thermal::Setup setup = base.setup(core::lower_half(square(128)));
   double worst = 0.0, largest = 0.0;
-  const auto look = [&](const thermal::FilmTemperature& film, const fmg::Level& level) {
+  const auto look = [&](const thermal::FilmTemperature& film, const multigrid::Level& level) {
     const core::Patch& grid = level.grid;
     std::vector<double> fluidity(static_cast<std::size_t>(grid.nodes_y()));
     for (int i = 1; i < grid.nx; ++i) {

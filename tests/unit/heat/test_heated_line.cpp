@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_line) {
       setup.Br = setup.compression = 0.0;
     }
     steady::Scene scene = support::scene_of(base, setup, grid(256));
-    scene.multigrid.tolerance = 1e-10;
+    scene.solver.tolerance = 1e-10;
     scene.adjoint_errors = false;
     const steady::Solution cold = steady::solve(scene);
     BOOST_TEST(cold.converged, cold.failed_check);

@@ -4,31 +4,31 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
-#include "fmg/start.hpp"
+#include "multigrid/start.hpp"
 
 namespace ehl::tests {
 
 /// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; the deformation by Fourier transforms is exact.
-inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& grid, int threads,
-                                       reynolds::Wedge wedge = reynolds::Wedge::upstream2,
-                                       std::optional<rheology::ShearThinning> thinning = {},
-                                       reynolds::Face face = reynolds::Face::mean, double supply = 0.0) {
+inline multigrid::Hierarchy newton_hierarchy(double M, double L, const core::Patch& grid, int threads,
+                                             reynolds::Wedge wedge = reynolds::Wedge::upstream2,
+                                             std::optional<rheology::ShearThinning> thinning = {},
+                                             reynolds::Face face = reynolds::Face::mean, double supply = 0.0) {
   const contact::Groups groups = contact::from_moes(M, L);
   constexpr double alpha = 2.2e-8;
   const double p_h = groups.alpha_bar / alpha;
-  fmg::Problem problem{.film = {.lambda = groups.lambda,
-                                .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
-                                .density = rheology::make_dowson_higginson(p_h),
-                                .thinning = thinning},
-                       .transport = wedge,
-                       .face = face};
+  multigrid::Problem problem{.film = {.lambda = groups.lambda,
+                                      .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
+                                      .density = rheology::make_dowson_higginson(p_h),
+                                      .thinning = thinning},
+                             .transport = wedge,
+                             .face = face};
   if (supply > 0.0) {
     problem.cavitation = reynolds::Cavitation::mass_conserving;
     problem.supply = [supply](double) { return supply; };
   }
   mlmi::Parameters deformation;
   deformation.method = mlmi::Method::fft;
-  return fmg::make_hierarchy(problem, {}, deformation, grid, threads);
+  return multigrid::make_hierarchy(problem, {}, deformation, grid, threads);
 }
 
 /// H00 for the published central film.

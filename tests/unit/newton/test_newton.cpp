@@ -13,9 +13,9 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/cycle.hpp"
-#include "fmg/cycles.hpp"
 #include "judgement/measures.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/cycles.hpp"
 #include "newton/equations.hpp"
 #include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
@@ -71,10 +71,10 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
       {Wedge::upstream3, Face::logmean_bounded, eyring, 0.5}};
   for (const auto& [wedge, face, thinning, supply] : schemes) {
     // hx != hy, so that a wrong factor is noticed.
-    fmg::Hierarchy hierarchy =
+    multigrid::Hierarchy hierarchy =
         newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge, thinning, face, supply);
     const std::size_t l = hierarchy.levels.size() - 1;
-    fmg::start_from_hertz(hierarchy, l, -0.6, 0);
+    multigrid::start_from_hertz(hierarchy, l, -0.6, 0);
     newton::Equations equations(hierarchy, l);
     std::vector<double> scratch(equations.size());
     equations.unknowns(scratch);
@@ -105,9 +105,9 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
 // The factors would be the exact inverse without the deformation beyond its self term, so GMRES needs few iterations.
 BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
   Random random(6);
-  fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, square(32), 1);
+  multigrid::Hierarchy hierarchy = newton_hierarchy(50, 10, square(32), 1);
   const std::size_t l = hierarchy.levels.size() - 1;
-  fmg::start_from_hertz(hierarchy, l, -0.6, 0);
+  multigrid::start_from_hertz(hierarchy, l, -0.6, 0);
   newton::Equations equations(hierarchy, l);
   std::vector<double> u(equations.size()), F(u.size());
   equations.unknowns(u);
@@ -138,18 +138,18 @@ BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
 
 BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   const core::Grid grid = square(64);
-  fmg::Hierarchy cycles = newton_hierarchy(200, 10, grid, 1);
+  multigrid::Hierarchy cycles = newton_hierarchy(200, 10, grid, 1);
   const std::size_t l = cycles.levels.size() - 1;
-  fmg::start_from_hertz(cycles, l, first_H00(200, 10), 20);
-  Measures state = fmg::measures_of(cycles, l);
+  multigrid::start_from_hertz(cycles, l, first_H00(200, 10), 20);
+  Measures state = multigrid::measures_of(cycles, l);
   for (int cycle = 1; cycle <= 40 && !(state.residual < 1e-12 && state.load_error < 1e-12); ++cycle) {
-    fmg::fas_cycle(cycles, l);
-    state = fmg::measures_of(cycles, l);
+    multigrid::fas_cycle(cycles, l);
+    state = multigrid::measures_of(cycles, l);
   }
   BOOST_REQUIRE(state.residual < 1e-11);
 
-  fmg::Hierarchy alone = newton_hierarchy(200, 10, grid, 1);
-  fmg::start_from_hertz(alone, l, first_H00(200, 10), 0);
+  multigrid::Hierarchy alone = newton_hierarchy(200, 10, grid, 1);
+  multigrid::start_from_hertz(alone, l, first_H00(200, 10), 0);
   const newton::Result result = newton::solve(alone, l);
   BOOST_TEST((result.converged && result.reason.empty()), result.reason);
   const double P_apart = core::max_abs_difference(alone.levels[l].P, cycles.levels[l].P);
@@ -167,13 +167,13 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
 
   // A solution needs no step, and a slightly disturbed one needs few.
   BOOST_TEST(newton::solve(alone, l).steps.size() <= 1);
-  fmg::fas_cycle(alone, l);
+  multigrid::fas_cycle(alone, l);
   BOOST_TEST(newton::solve(alone, l).steps.size() <= 2);
 
   // Only the force balance is disturbed.
   alone.levels[l].load *= 1.0 + 1e-6;
   BOOST_TEST(newton::solve(alone, l).converged);
-  BOOST_TEST(fmg::measures_of(alone, l).load_error <= 1e-11);
+  BOOST_TEST(multigrid::measures_of(alone, l).load_error <= 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(failures_are_told) {
@@ -182,49 +182,49 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
     BOOST_TEST((!result.converged && result.reason.find(word) != std::string::npos));
   };
   // A grid whose discrete film is negative has no meaningful solution.
-  fmg::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
-  fmg::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
+  multigrid::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
+  multigrid::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
   const newton::Result negative = newton::solve(coarse, 0);
   tells(negative, "film");
   BOOST_TEST(negative.equations_met);
   // Without pressure, nothing depends on H00.
-  fmg::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
-  fmg::start_from_hertz(dry, 0, first_H00(50, 10), 0);
+  multigrid::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
+  multigrid::start_from_hertz(dry, 0, first_H00(50, 10), 0);
   dry.levels[0].P.fill(0.0);
   tells(newton::solve(dry, 0), "no node carries pressure");
   dry.H00 = std::numeric_limits<double>::quiet_NaN();
-  fmg::start_from_hertz(dry, 0, dry.H00, 0);
+  multigrid::start_from_hertz(dry, 0, dry.H00, 0);
   tells(newton::solve(dry, 0), "not finite");
   // Stopped early, after a step that increased the residual: the result is the best state so far with its film.
-  fmg::Hierarchy stopped = newton_hierarchy(20, 10, core::Grid{64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
+  multigrid::Hierarchy stopped = newton_hierarchy(20, 10, core::Grid{64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
   const std::size_t l = stopped.levels.size() - 1;
-  fmg::start_from_hertz(stopped, l, first_H00(20, 10), 0);
+  multigrid::start_from_hertz(stopped, l, first_H00(20, 10), 0);
   const newton::Result result = newton::solve(stopped, l, {.max_steps = 3});
   tells(result, "after 3 steps");
   BOOST_TEST(!result.equations_met);
   BOOST_REQUIRE(result.steps.size() == 3U);
   BOOST_REQUIRE(result.steps[1].residual < result.steps[2].residual);
-  BOOST_TEST(fmg::measures_of(stopped, l).residual == result.steps[1].residual);
+  BOOST_TEST(multigrid::measures_of(stopped, l).residual == result.steps[1].residual);
   const core::Field H = stopped.levels[l].H;
-  fmg::update_film(stopped, stopped.levels[l]);
+  multigrid::update_film(stopped, stopped.levels[l]);
   BOOST_TEST(core::max_abs_difference(H, stopped.levels[l].H) == 0.0);
   // The user asks to stop.
   int calls = 0;
   BOOST_CHECK_THROW(newton::solve(stopped, l, {}, [&](const newton::Step&) { return ++calls < 2; }), core::Interrupted);
   BOOST_TEST(calls == 2);
   // A problem without a force balance is a different one.
-  fmg::Problem without_load = stopped.problem;
+  multigrid::Problem without_load = stopped.problem;
   without_load.load.reset();
-  fmg::Hierarchy other = fmg::make_hierarchy(without_load, {}, {}, stopped.finest().grid, 1);
+  multigrid::Hierarchy other = multigrid::make_hierarchy(without_load, {}, {}, stopped.finest().grid, 1);
   BOOST_CHECK_THROW(newton::solve(other, l), core::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
   std::vector<core::Field> P;
   for (const int threads : {1, 2}) {
-    fmg::Hierarchy hierarchy = newton_hierarchy(200, 10, square(128), threads);
+    multigrid::Hierarchy hierarchy = newton_hierarchy(200, 10, square(128), threads);
     const std::size_t l = hierarchy.levels.size() - 1;
-    fmg::start_from_hertz(hierarchy, l, first_H00(200, 10), 0);
+    multigrid::start_from_hertz(hierarchy, l, first_H00(200, 10), 0);
     const newton::Result result = newton::solve(hierarchy, l, {.max_steps = 3});
     BOOST_TEST(result.steps.size() == 3U);
     P.push_back(hierarchy.levels[l].P);

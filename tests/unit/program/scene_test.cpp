@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(continuation_and_polish) {
   using Path = steady::ContinuationParameters::Path;
   const program::Case plain = read(moes);
   BOOST_TEST((plain.scene.continuation.path == Path::automatic));
-  BOOST_TEST((plain.scene.polish == steady::Polish::rescue));
+  BOOST_TEST((plain.scene.polish == steady::Polish::fallback));
   const program::Case asked = read(
       moes, {"continuation.path=load", "continuation.M_start=20", "continuation.step=1.5", "multigrid.polish=always"});
   BOOST_TEST((asked.scene.continuation.path == Path::load));
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_grid_follows_the_domain) {
   BOOST_TEST(wide.scene.grid.ny == 168);
   BOOST_TEST(std::abs(wide.scene.grid.hy() / wide.scene.grid.hx() - 1.0) < 0.03);
   const program::Case odd = read(moes, {"grid.cells=96", "grid.coarsest=12"});
-  BOOST_TEST(odd.scene.multigrid.coarsest_cells == 12);
+  BOOST_TEST(odd.scene.solver.coarsest_cells == 12);
   BOOST_TEST(odd.scene.grid.ny % 8 == 0);
 }
 

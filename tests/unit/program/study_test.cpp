@@ -16,7 +16,7 @@ using support::refusal;
 
 program::StudyPoint point(int cells, double seconds, double Hc, const std::string& status = "converged") {
   program::StudyPoint made;
-  made.way = {cells, "upstream2", "mlmi8", "2W"};
+  made.variant = {cells, "upstream2", "mlmi8", "2W"};
   made.nx = made.ny = cells;
   made.status = status;
   made.seconds = seconds;
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
   reference.Hc = reference.Hm = {1.0, 1e-6};
   std::vector<program::StudyPoint> points{point(64, 1.0, 1.001), point(128, 2.0, 1.02), point(256, 4.0, 1.005),
                                           point(64, 1.5, 1.05), point(128, 3.0, 1.009)};
-  points[3].way.cycles = points[4].way.cycles = "1V";
+  points[3].variant.cycles = points[4].variant.cycles = "1V";
   program::judge(reference, points);
   BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.01) == 4u);
   BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.006) == 2u);
@@ -145,8 +145,8 @@ BOOST_AUTO_TEST_CASE(a_row_reads_back) {
   made.front_Hm = true;
   made.reason = "the residual, 1e-3, is above";
   const program::StudyPoint read = from_text(program::text_of(made));
-  BOOST_TEST((read.way.cells == 128 && read.way.wedge == "upstream2" && read.way.evaluator == "mlmi8"));
-  BOOST_TEST((read.way.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
+  BOOST_TEST((read.variant.cells == 128 && read.variant.wedge == "upstream2" && read.variant.evaluator == "mlmi8"));
+  BOOST_TEST((read.variant.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
   BOOST_TEST((read.Hc == 1.0 / 3.0 && read.Hm == 0.25 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) &&
               read.attempts == 2));
   BOOST_TEST((read.front_Hm && !read.front_Hc && read.reason == made.reason && read.nx == 128));
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(levels) {
     BOOST_TEST(contains(refusal([&] { program::levels_between(wrong); }), "--levels"), wrong);
 }
 
-BOOST_AUTO_TEST_CASE(ways) {
+BOOST_AUTO_TEST_CASE(variants) {
   for (const char* good : {"1V", "2W", "12F", "run"}) BOOST_TEST(program::is_study_cycles(good), good);
   for (const char* wrong : {"", "V", "0V", "1", "1X", "V1", "123V", "-1V", "Run"})
     BOOST_TEST(!program::is_study_cycles(wrong), wrong);
@@ -177,14 +177,14 @@ BOOST_AUTO_TEST_CASE(ways) {
   const auto cases = program::cases_of(plan, [](int cells) { return (cells + 1.0) * (cells + 1.0); });
   BOOST_TEST(cases.size() == 8u + 4u);  // no direct sum on 257 x 257 nodes
   steady::Scene scene;
-  scene.multigrid.max_cycles = 60;
+  scene.solver.max_cycles = 60;
   program::use_way({64, "upstream1", "mlmi6", "3V"}, scene);
   BOOST_TEST((scene.wedge == reynolds::Wedge::upstream1 && scene.deformation.order == 6));
-  BOOST_TEST((scene.multigrid.cycle == fmg::Cycle::V && scene.multigrid.cycles == 3 &&
-              scene.multigrid.max_cycles == 3 && scene.multigrid.extra_cycles == 0));
+  BOOST_TEST((scene.solver.cycle == multigrid::Cycle::V && scene.solver.cycles == 3 && scene.solver.max_cycles == 3 &&
+              scene.solver.extra_cycles == 0));
   steady::Scene as_it_is;
   program::use_way({64, "upstream2", "fft", "run"}, as_it_is);
-  BOOST_TEST((as_it_is.multigrid.max_cycles == 60 && as_it_is.deformation.method == mlmi::Method::fft));
+  BOOST_TEST((as_it_is.solver.max_cycles == 60 && as_it_is.deformation.method == mlmi::Method::fft));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,7 +16,7 @@ using support::contains;
 /// Hc = 2 + T, Hm = 1, P_max = 4 - T, P at a probe = T (1 - T), at T = 0, 0.25, ... 1; all multiplied by a factor.
 program::TimeStudyPoint made(double factor, double rtol = 1e-4) {
   program::TimeStudyPoint point;
-  point.way = {rtol, 0.1};
+  point.variant = {rtol, 0.1};
   point.status = "complete";
   point.T = 1.0;
   point.steps = 10;
@@ -89,7 +89,8 @@ BOOST_AUTO_TEST_CASE(a_point_comes_back_from_its_text) {
   program::TimeStudyPoint point = made(1.0 / 3.0);
   point.reason = "a, b";
   const program::TimeStudyPoint back = from_text(program::text_of(point));
-  BOOST_TEST((back.way.rtol == 1e-4 && back.way.longest_step == 0.1 && back.T == 1.0 && back.status == "complete"));
+  BOOST_TEST(
+      (back.variant.rtol == 1e-4 && back.variant.longest_step == 0.1 && back.T == 1.0 && back.status == "complete"));
   BOOST_TEST((back.steps == 10 && back.cycles == 15 && back.rejected == 2 && back.not_solved == 1 && back.jumps == 3));
   BOOST_TEST((back.seconds == 0.5 && back.seconds_most == 0.75 && back.peak_memory == 1e6 && back.reason == "a, b"));
   BOOST_REQUIRE(back.samples.size() == 5u);

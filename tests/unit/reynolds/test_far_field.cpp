@@ -21,7 +21,7 @@ namespace {
 constexpr double lambda = 0.7;
 constexpr QuadraticForm circle{0.5, 0.0, 0.5};
 /// R_x/R_y = 3 and 1/4, at an angle.
-constexpr QuadraticForm aslant{0.8, 0.5, 1.1};
+constexpr QuadraticForm oblique{0.8, 0.5, 1.1};
 constexpr QuadraticForm slender{0.25, -0.1, 0.07};
 
 FarField isoviscous(const QuadraticForm& gap, double deformation = 0.0) {
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(beside_a_circle_it_is_the_closed_form) {
 }
 
 BOOST_AUTO_TEST_CASE(its_residual_in_the_discrete_operator_falls_with_the_second_order) {
-  for (const QuadraticForm& gap : {circle, aslant, slender}) {
+  for (const QuadraticForm& gap : {circle, oblique, slender}) {
     const double coarse = relative_residual(gap, 16);
     const double fine = relative_residual(gap, 32);
     BOOST_TEST_MESSAGE("relative residual on 16, 32 cells: " << coarse << ", " << fine << ", order "
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(its_residual_in_the_discrete_operator_falls_with_the_second
 // -L(P) = -dH/dT, for a slow approach and separation in addition to a wedge that ruptures, and for an approach without
 // rupture, for any H00. Where the far field consists of directions with a wedge, H00 is small compared with the gap.
 BOOST_AUTO_TEST_CASE(with_a_squeeze_as_well) {
-  for (const QuadraticForm& gap : {circle, aslant, slender})
+  for (const QuadraticForm& gap : {circle, oblique, slender})
     for (const reynolds::FarState& state :
          {reynolds::FarState{.speed = 0.7, .approach = 0.05}, reynolds::FarState{.speed = 1.2, .approach = -0.3},
           reynolds::FarState{.H00 = 2.0, .speed = 0.4, .approach = 20.0}}) {
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(pure_squeeze_is_the_elementary_solution) {
 BOOST_AUTO_TEST_CASE(the_load_outside_is_the_sum_of_the_pressure_there) {
   const Grid domain{32, 32, -3.0, 2.0, -2.5, 2.5};
   const double H00 = -0.4;
-  for (const QuadraticForm& gap : {circle, aslant}) {
+  for (const QuadraticForm& gap : {circle, oblique}) {
     const double deformation = 0.42;
     const FarField far({.gap = gap,
                         .lambda = lambda,

@@ -248,12 +248,12 @@ BOOST_AUTO_TEST_CASE(the_climb_that_fails_is_replaced) {
     ++starts;
     Scene plain = one;
     plain.accuracy = {};
-    plain.multigrid = {};
+    plain.solver = {};
     return steady::solve(plain);
   };
   Scene scene = scene_for(0.03);
-  scene.multigrid.tolerance = 1e-12;
-  scene.multigrid.max_cycles = 2;
+  scene.solver.tolerance = 1e-12;
+  scene.solver.max_cycles = 2;
   const Solution solution = solve_to_accuracy(scene, solve_it, {});
   BOOST_TEST(solution.accuracy.met);
   BOOST_TEST(starts == 2);

@@ -29,7 +29,7 @@ steady::Scene closed_scene(double M, double L, const core::Grid& grid) {
     scene.density = rheology::Incompressible{};
   }
   scene.far_field = true;
-  scene.multigrid.tolerance = 1e-8;
+  scene.solver.tolerance = 1e-8;
   return scene;
 }
 
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
       return solved(scene).levels.back();
     };
     BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ", X from " << X_a << " to " << X_b << ", Y to " << Y);
-    const fmg::LevelRow small = films(half), large = films(all);
+    const multigrid::LevelRow small = films(half), large = films(all);
     require_close(small.Hc, large.Hc, allowed, "Hc");
     require_close(small.Hm_fitted, large.Hm_fitted, allowed, "Hm");
   }
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(one_half_and_two_threads_do_the_same) {
 // the closed form for the film there, and the regions inside and outside the domain together carry the load.
 BOOST_AUTO_TEST_CASE(newton_returns_a_state_that_closes) {
   steady::Scene scene = closed_scene(5, 5, {64, 64, -6, 3, -4.5, 4.5});
-  scene.multigrid.tolerance = 1e-4;
+  scene.solver.tolerance = 1e-4;
   scene.polish = steady::Polish::always;
   const steady::Solution solution = solved(scene);
   BOOST_TEST_REQUIRE(solution.newton.size() > 0U);

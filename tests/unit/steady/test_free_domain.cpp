@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   // none asks for an accuracy.
   for (const std::size_t k : {0u, 1u, 2u}) {
     BOOST_TEST(std::isnan(made.asked[k].accuracy.error));
-    BOOST_TEST(made.asked[k].multigrid.tolerance == 1e-6);
+    BOOST_TEST(made.asked[k].solver.tolerance == 1e-6);
   }
   BOOST_TEST(made.asked[0].grid.nx == 64);
   BOOST_TEST(made.asked[0].grid.X_a == -4.5);
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   BOOST_TEST(length == 1.5 * 32.0 / 3.0, tolerance(1e-12));
   BOOST_TEST(solution.domain_error_Hc == 7.0 / 6.0 * 0.01 * 36.0 / (length * length), tolerance(0.02));
   BOOST_TEST(solution.error_bars.domain == solution.domain_error_Hc);
-  BOOST_TEST(std::isnan(made.asked[3].multigrid.tolerance));
+  BOOST_TEST(std::isnan(made.asked[3].solver.tolerance));
   BOOST_TEST(made.asked[3].accuracy.error == 0.004);
   BOOST_TEST(solution.accuracy.asked == 0.004);
 }

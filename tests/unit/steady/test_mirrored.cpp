@@ -16,7 +16,7 @@ namespace {
 
 steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
   steady::Scene scene = tests::roelands_scene(M, L, grid);
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   return scene;
 }
 
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(newton_and_load_continuation_on_the_half) {
   steady::Scene scene = contact_scene(80, 10, {64, 64, -2.5, 1.5, -2, 2});
   scene.polish = steady::Polish::always;
   compare(scene, "Newton after the cycles", 1e-10);
-  scene.polish = steady::Polish::rescue;
+  scene.polish = steady::Polish::fallback;
   scene.continuation.path = steady::ContinuationParameters::Path::load;
   compare(scene, "load continuation", 1e-8);
 }

@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_SUITE(test_steady_error_bars)
 // The orders are those of observed_errors.cpp.
 BOOST_AUTO_TEST_CASE(of_observed_numbers) {
   const auto errors = [](const std::vector<double>& values, bool spike = false) {
-    std::vector<fmg::LevelRow> levels;
+    std::vector<multigrid::LevelRow> levels;
     for (const double value : values) {
       levels.emplace_back();
       levels.back().observed = {0.0, value};

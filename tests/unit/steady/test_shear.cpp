@@ -24,7 +24,7 @@ const std::vector<ShearThinning> thinnings{{rheology::Eyring{}, 5e-3}, {rheology
 steady::Scene scene_of(double M, double L, int n) {
   // The cells are not square, so that a wrong factor is noticed.
   steady::Scene scene = tests::roelands_scene(M, L, {n, n, -2.5, 1.5, -2.5, 2.5});
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   return scene;
 }
 
@@ -95,9 +95,9 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   constexpr core::Grid whole{32, 24, -3.0, 1.5, -2.0, 2.0};
   for (const core::Patch& grid : {core::Patch(whole), core::lower_half(whole)})
     for (const ShearThinning& thinning : thinnings) {
-      fmg::Hierarchy hierarchy = tests::newton_hierarchy(50, 10, grid, 1, reynolds::Wedge::upstream2, thinning);
+      multigrid::Hierarchy hierarchy = tests::newton_hierarchy(50, 10, grid, 1, reynolds::Wedge::upstream2, thinning);
       const std::size_t l = hierarchy.levels.size() - 1;
-      fmg::start_from_hertz(hierarchy, l, -0.6, 0);
+      multigrid::start_from_hertz(hierarchy, l, -0.6, 0);
       newton::Equations equations(hierarchy, l);
       std::vector<double> u(equations.size()), v(u.size()), product(u.size()), ahead(u.size()), behind(u.size());
       equations.unknowns(u);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(newton_on_the_half_and_on_the_whole) {
   steady::Scene scene = scene_of(100, 10, 64);
   scene.thinning = thinnings[0];
   scene.polish = steady::Polish::always;
-  scene.multigrid.tolerance = 1e-2;  // leaves some work for Newton's method
+  scene.solver.tolerance = 1e-2;  // leaves some work for Newton's method
   const steady::Solution half = steady::solve(scene);
   scene.use_symmetry = false;
   const steady::Solution whole = steady::solve(scene);

@@ -20,7 +20,7 @@ using Gap = double (*)(double X, double Y);
 
 steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
   steady::Scene scene = tests::roelands_scene(M, L, grid);
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   scene.deformation.method = mlmi::Method::fft;
   return scene;
 }

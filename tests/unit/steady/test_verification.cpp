@@ -7,10 +7,10 @@
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
-#include "fmg/cycles.hpp"
 #include "judgement/measures.hpp"
 #include "judgement/stopping.hpp"
 #include "judgement/verification.hpp"
+#include "multigrid/cycles.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 #include "support/text.hpp"
@@ -37,22 +37,23 @@ Scene scene_of(reynolds::Wedge wedge) {
   scene.density = rheology::make_dowson_higginson(p_h);
   scene.grid = {64, 96, -4.5, 1.5, -3.0, 3.0};
   scene.wedge = wedge;
-  scene.multigrid.tolerance = 1e-12;
-  scene.multigrid.max_cycles = 60;
+  scene.solver.tolerance = 1e-12;
+  scene.solver.max_cycles = 60;
   return scene;
 }
 
 // Evaluates a pressure and H00 independently: film, coefficients and residual of a hierarchy without cycles.
 Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
-  const fmg::Problem problem{.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
-                             .transport = scene.wedge};
-  fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, scene.multigrid, scene.deformation, scene.grid, 1);
-  fmg::Level& level = hierarchy.finest();
+  const multigrid::Problem problem{
+      .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+      .transport = scene.wedge};
+  multigrid::Hierarchy hierarchy = multigrid::make_hierarchy(problem, scene.solver, scene.deformation, scene.grid, 1);
+  multigrid::Level& level = hierarchy.finest();
   core::copy(P, level.P);
   hierarchy.H00 = H00;
   level.load = 2.0 * core::pi / 3.0;
-  fmg::update_film(hierarchy, level);
-  return fmg::measures_of(hierarchy, hierarchy.levels.size() - 1);
+  multigrid::update_film(hierarchy, level);
+  return multigrid::measures_of(hierarchy, hierarchy.levels.size() - 1);
 }
 
 // Judges the state as the last of two cycles without any change.

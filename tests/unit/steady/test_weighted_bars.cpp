@@ -30,7 +30,7 @@ Solution three_levels() {
 // The cycles leave an error, of which a part is scattered.
 BOOST_AUTO_TEST_CASE(by_weights) {
   Solution solution = three_levels();
-  const adjoint::Foretold parts{-0.03, -0.07, 0.003, -0.002, 0.01, 0.0005};
+  const adjoint::PredictedChange parts{-0.03, -0.07, 0.003, -0.002, 0.01, 0.0005};
   solution.adjoint.emplace();
   solution.adjoint->Hc = solution.adjoint->Hm = parts;
   LevelRow& below = solution.levels[1];

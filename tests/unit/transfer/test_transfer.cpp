@@ -248,12 +248,10 @@ BOOST_AUTO_TEST_CASE(across_alone_stations_are_kept) {
   BOOST_TEST(ehl::core::max_abs_difference(weighted, coarse) < 1e-14);
   BOOST_TEST(ehl::core::max_abs_difference(back, fine) < 1e-14);
   // A part that alternates along Y is averaged out, one that alternates along X is not.
-  const auto swings = [](double X, double) {
-    return std::cos(std::numbers::pi * (X - fine_grid.X_a) / fine_grid.hx());
-  };
+  const auto wave = [](double X, double) { return std::cos(std::numbers::pi * (X - fine_grid.X_a) / fine_grid.hx()); };
   const auto rough = [](double, double Y) { return std::cos(std::numbers::pi * (Y - fine_grid.Y_a) / fine_grid.hy()); };
-  transfer::restrict_full_weighting(grid, sampled(Patch(fine_grid), swings), weighted);
-  BOOST_TEST(ehl::core::max_abs_difference(weighted, sampled(grid, swings)) < 1e-13);
+  transfer::restrict_full_weighting(grid, sampled(Patch(fine_grid), wave), weighted);
+  BOOST_TEST(ehl::core::max_abs_difference(weighted, sampled(grid, wave)) < 1e-13);
   transfer::restrict_full_weighting(grid, sampled(Patch(fine_grid), rough), weighted);
   double largest = 0.0;
   for (int i = 1; i < grid.nx; ++i)

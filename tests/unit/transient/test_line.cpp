@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "core/norms.hpp"
-#include "fmg/start.hpp"
+#include "multigrid/start.hpp"
 #include "newton/steps.hpp"
-#include "steady/climb.hpp"
+#include "steady/multigrid_solve.hpp"
 #include "transient/contact_dae.hpp"
 #include "unit/transient/marching.hpp"
 
@@ -20,7 +20,7 @@ using Points = std::vector<Schedule::Point>;
 namespace {
 
 steady::LevelRow steady_film(steady::Scene scene) {
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   return steady::solve(scene).levels.back();
 }
 
@@ -131,16 +131,16 @@ BOOST_AUTO_TEST_CASE(a_jump_of_the_load_on_a_heavy_line) {
 BOOST_AUTO_TEST_CASE(newtons_steps_solve_an_implicit_step) {
   steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
   scene.far_field = false;
-  scene.multigrid.tolerance = 1e-10;
+  scene.solver.tolerance = 1e-10;
   const steady::Solution truth = steady::solve(scene);
-  fmg::Run run = steady::begin_climb(scene, steady::Start{.coarsest = 32}, {});
-  fmg::Hierarchy& hierarchy = run.hierarchy;
-  fmg::Level& level = hierarchy.finest();
+  multigrid::Run run = steady::begin_multigrid(scene, steady::Start{.coarsest = 32}, {});
+  multigrid::Hierarchy& hierarchy = run.hierarchy;
+  multigrid::Level& level = hierarchy.finest();
   const core::Field P = core::on_patch(level.grid, truth.P);
-  fmg::start_from_state(hierarchy, run.finest(), {P, truth.H00});
+  multigrid::start_from_state(hierarchy, run.finest(), {P, truth.H00});
   prepare(hierarchy);
   level.load = *hierarchy.problem.load;
-  fmg::update_film(hierarchy, level);
+  multigrid::update_film(hierarchy, level);
   constexpr double c = 1000.0;
   hierarchy.transport.squeeze = c;
   for (int i = 0; i <= level.grid.nx; ++i)
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(newtons_steps_solve_an_implicit_step) {
   for (int i = 1; i < level.grid.nx; ++i) level.P(i, 1) *= 1.02;
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 += 0.005;
-  fmg::update_film(hierarchy, level);
+  multigrid::update_film(hierarchy, level);
   newton::Steps steps(hierarchy);
   double P_error = 1.0, H00_error = 1.0;
   int taken = 0;

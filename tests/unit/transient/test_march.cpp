@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
   check_complete("constant", all, 20.0);
   // Cycles without any effect would keep the first row, so the reference is the steady solver.
   steady::Scene exact = scene;
-  exact.multigrid.tolerance = 1e-10;
+  exact.solver.tolerance = 1e-10;
   const steady::Solution steady = steady::solve(exact);
   const double Hc = largest_difference(all.rows, steady.levels.back().Hc, Hc_of);
   const double Hm = largest_difference(all.rows, steady.levels.back().Hm, Hm_of);
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(from_a_wrong_start_it_comes_to_the_steady_film) {
   const Points slower{{0, 0.7}, {0, 1}};
   const Marched speed = marched(scene, {.u1 = {.points = slower}, .u2 = {.points = slower}}, {.end = 8.0});
   check_complete("speed 0.7 to 1 at once", speed, 8.0);
-  scene.multigrid.tolerance = 1e-9;
+  scene.solver.tolerance = 1e-9;
   const steady::LevelRow truth = steady::solve(scene).levels.back();
   for (const Marched* all : {&load, &speed}) {
     const StepRow& last = all->rows.back();
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_load_that_doubles_in_a_twentieth_comes_to_its_own_steady_
   // The contact of the final state in the units of twice the load: M doubles, lengths scale with a, films with a^2/R.
   const double a = std::cbrt(2.0);
   steady::Scene twice = isoviscous(60.0, a);
-  twice.multigrid.tolerance = 1e-9;
+  twice.solver.tolerance = 1e-9;
   const steady::LevelRow truth = steady::solve(twice).levels.back();
   const double Hc = std::abs(all.rows.back().Hc / (truth.Hc * a * a) - 1.0);
   const double Hm = std::abs(all.rows.back().Hm / (truth.Hm * a * a) - 1.0);

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_steady_supply_stays_steady) {
   steady::Scene scene = starved_scene(0.25);
   const Marched all = marched(scene, {}, {.end = 10.0});
   check_oil("constant", all, 10.0);
-  scene.multigrid.tolerance = 1e-10;
+  scene.solver.tolerance = 1e-10;
   const auto Hc_of = [](const StepRow& row) { return row.Hc; };
   const double moves = largest_difference(all.rows, all.rows.front().Hc, Hc_of);
   const double off = largest_difference(all.rows, steady::solve(scene).levels.back().Hc, Hc_of);
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_supply_that_falls_ends_in_its_steady_film) {
   const double P = core::max_abs_difference(half.frames.back().P, whole.frames.back().P);
   const double theta = core::max_abs_difference(half.frames.back().theta, whole.frames.back().theta);
   steady::Scene end = starved_scene(0.6 * 0.25);
-  end.multigrid.tolerance = 1e-9;
+  end.solver.tolerance = 1e-9;
   const double Hc = half.rows.back().Hc / steady::solve(end).levels.back().Hc - 1.0;
   BOOST_TEST_MESSAGE("Hc at the end off by " << Hc << " (allowed 2e-4), half and whole: P differs by " << P
                                              << ", theta by " << theta << " (allowed 5e-5: half of rtol)");

@@ -1,0 +1,215 @@
+#include "multigrid/across_relaxation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <span>
+
+#include "multigrid/relaxation.hpp"
+#include "multigrid/thread_work.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::multigrid {
+namespace {
+
+using reynolds::Faces;
+
+/// The crossover of the hybrid relaxation is multiplied by share_of_stretch (hx/hy)^2 where that exceeds 1: for a
+/// change that is smooth along Y, K(0, 0) and K(0, 1) underestimate the response of the film more and more
+/// (tests/convergence/test_model_problems.cpp). The criterion is e_max (e_max/e_min), where the X sweep takes the root
+/// of the ratio: where epsilon varies by orders between nodes, its zones are thin. [bench: y_sweep_crossover]
+constexpr double share_of_stretch = 0.25;
+
+/// Damping of the Y sweep: the X sweep has already reduced this residual, and a spike along a diagonal would be
+/// corrected twice. [bench: y_sweep_damping]
+constexpr double weight_at_half_points = 0.7;
+/// Damping where epsilon at the nodes varies by orders (coarse grids): the mean of two nodes overshoots what the finer
+/// grid lets through. [bench: y_sweep_damping_steep]
+constexpr double weight_where_steep = 0.5;
+/// Ratio of e_min to e_max at a node below which this damping applies with epsilon at half points, too: the edge of a
+/// contact lies within a cell. Without it the lines next to the inlet chatter. [bench: y_sweep_edge]
+constexpr double fall_of_edge = 1e-4;
+
+/// Factor on K(0, 0) in the response of epsilon to the film at the edge of a contact on coarse grids (film_of_epsilon
+/// in line_batch.cpp says why epsilon must follow it). All of the edge changes at once, and the kernels along it sum to
+/// about twice K(0, 0). [bench: film_along_edge]
+constexpr double film_along_edge = 2.0;
+
+class StationAcross {
+ public:
+  StationAcross(const Hierarchy& hierarchy, Level& level, const RelaxationParameters& how)
+      : film_(hierarchy.problem.film),
+        two_epsilons_(film::anisotropic(film_)),
+        cavitation_(hierarchy.problem.cavitation),
+        level_(level),
+        transport_(transport_on(hierarchy, level)),
+        half_(level.grid.hx(), level.grid.hy()),
+        stretch_(core::stretch(level.grid)),
+        weight_single_(how.weight_single),
+        most_change_(how.most_change) {
+    crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
+  }
+
+  /// Solves the tridiagonal system of column i, from the boundary to the last line.
+  void relax(int i, ThreadWork& work) const {
+    const core::Patch& grid = level_.grid;
+    const int last = grid.last_line();
+    if (!at_half_points(level_) && !film_.given_epsilon) make_slopes(i, work);
+    const auto row = [&](int j) -> RowAcross& { return work.rows_across[static_cast<std::size_t>(j)]; };
+    row(0) = {};
+    for (int j = 1; j <= last; ++j) {
+      row(j) = row_at(i, j, work);
+      if (row(j).weight == 0.0) continue;
+      if (j == grid.ny) row(j).south += row(j).north;  // the axis of symmetry: both neighbours are the same line
+      const double factor = row(j).south / row(j - 1).own;
+      row(j).own -= factor * row(j - 1).north;
+      row(j).r -= factor * row(j - 1).r;
+    }
+    double* P = level_.P.at_x(i);
+    double change = 0.0;  // of the next line
+    for (int j = last; j >= 1; --j) {
+      const double north = j == last ? 0.0 : row(j).north;
+      change = -(row(j).r + north * change) / row(j).own;
+      P[j] = reynolds::projected(cavitation_, P[j] + std::clamp(row(j).weight * change, -most_change_, most_change_));
+    }
+    core::fill_ghosts(grid, P);
+  }
+
+ private:
+  bool single(const Faces<double>& e) const {
+    const auto [low, high] = range_of(e);
+    return high * high > crossover_ * low;
+  }
+  /// Least and largest epsilon/(hx hy), as ThreadWork::range_of.
+  std::pair<double, double> range_of(const Faces<double>& e) const {
+    return {std::min(stretch_ * std::min(e.west, e.east), std::min(e.south, e.north) / stretch_),
+            std::max(stretch_ * std::max(e.west, e.east), std::max(e.south, e.north) / stretch_)};
+  }
+
+  double weight_of(const Faces<double>& e) const {
+    const auto [low, high] = range_of(e);
+    if (at_half_points(level_))
+      return weight_single_ * weight_at_half_points * (low < fall_of_edge * high ? weight_where_steep : 1.0);
+    const double smooth = std::min(1.0, 2.0 * low / high);
+    return weight_single_ * (weight_where_steep + (1.0 - weight_where_steep) * smooth);
+  }
+
+  RowAcross row_at(int i, int j, const ThreadWork& work) const {
+    const core::Field& P = level_.P;
+    const Faces<double> e = reynolds::faces_at(level_.scheme.face, level_.eps, eps_across(level_), i, j, half_);
+    if (!single(e)) return {};
+    const auto c = reynolds::transport_weights(transport_, i, level_.grid.hx());
+    const auto Q = [&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); };
+    const int far_west = std::max(i - 2, 0);
+    double own = c[0], net;
+    if (reynolds::third_order(transport_.wedge)) {
+      const auto w = reynolds::third_order_weights<double>(c, transport_, level_.grid.hx(),
+                                                           {level_.third_order(i - 1, j), level_.third_order(i, j)});
+      own = w[0];
+      net = reynolds::transported(w, Q(i), Q(i - 1), Q(far_west), Q(i + 1));
+    } else {
+      net = reynolds::transported(c, Q(i), Q(i - 1), Q(far_west));
+    }
+    RowAcross row{.r = net - reynolds::poiseuille_at(e, P, i, j)};
+    if (level_.f.nodes_x() > 0) row.r += level_.f(i, j);
+    if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
+    const double film = own * level_.rho_bar(i, j);
+    row.weight = weight_of(e);
+    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * level_.film_terms.K[0];
+    row.south = film * level_.film_terms.K_across[0] - e.south;
+    row.north = film * level_.film_terms.K_across[0] - e.north;
+    if (at_half_points(level_)) {
+      add_answers(i, j, e, row);
+    } else {
+      add_slopes(i, j, work, row);
+      row.own += film_along_edge * level_.film_terms.K[0] * answer_to_film_of_edge(i, j, e);
+    }
+    return row;
+  }
+
+  // Derivative of r by the films of the cavitated nodes next to it, with epsilon proportional to H^3.
+  double answer_to_film_of_edge(int i, int j, const Faces<double>& e) const {
+    if (film_.given_epsilon) return 0.0;
+    const auto of = [&](int k, int m, double face) {
+      const double H = level_.H(k, m);
+      return reynolds::dry(cavitation_, level_.P(k, m)) && H > 0.0 ? 3.0 * face * level_.P(i, j) / H : 0.0;
+    };
+    return of(i - 1, j, e.west) + of(i + 1, j, e.east) + of(i, j - 1, e.south) + of(i, j + 1, e.north);
+  }
+
+  // Epsilon at half points: the viscosity follows the pressures of the column.
+  void add_answers(int i, int j, const Faces<double>& e, RowAcross& row) const {
+    const OilFields& oil = level_.oil;
+    const bool thinned = oil.fluidity_across.nodes_x() > 0;
+    const core::Field& phi = thinned ? oil.fluidity_across : oil.fluidity;
+    const core::Field& a = thinned ? oil.log_viscosity_across : oil.log_viscosity;
+    const double least = reynolds::least_share(level_.scheme.face);
+    const auto between = [&](const core::Field& f, const core::Field& ln_eta, int k, int m, int to_k, int to_m) {
+      return film::answers<film::LeastShare::follows>(least, f(k, m), f(to_k, to_m), ln_eta(k, m), ln_eta(to_k, to_m));
+    };
+    const auto south = between(phi, a, i, j - 1, i, j), north = between(phi, a, i, j, i, j + 1);
+    const auto west = between(oil.fluidity, oil.log_viscosity, i - 1, j, i, j);
+    const auto east = between(oil.fluidity, oil.log_viscosity, i, j, i + 1, j);
+    row.south += e.south * (1.0 - south.before);
+    row.north += e.north * (1.0 - north.behind);
+    row.own += e.south * (south.behind - 1.0) + e.north * (north.before - 1.0) + e.west * (west.behind - 1.0) +
+               e.east * (east.before - 1.0);
+  }
+
+  // Epsilon at the nodes: it follows the pressures of the column. Each node gives half of the e in e (P_other - P).
+  void add_slopes(int i, int j, const ThreadWork& work, RowAcross& row) const {
+    const core::Field& P = level_.P;
+    const auto slope = [](const std::vector<double>& slopes, int m) { return slopes[static_cast<std::size_t>(m)]; };
+    const std::vector<double>& across = two_epsilons_ ? work.eps_across_P : work.eps_P;
+    const int north = j == level_.grid.ny ? j - 1 : j + 1;  // the axis of symmetry: both neighbours are the same line
+    const double to_south = half_.Y * (P(i, j) - P(i, j - 1)), to_north = half_.Y * (P(i, j) - P(i, j + 1));
+    row.south += slope(across, j - 1) * to_south;
+    row.north += slope(across, north) * to_north;
+    row.own += slope(across, j) * (to_south + to_north) +
+               slope(work.eps_P, j) * half_.X * (2.0 * P(i, j) - P(i - 1, j) - P(i + 1, j));
+  }
+
+  void make_slopes(int i, ThreadWork& work) const {
+    const auto of = [i](const core::Field& field) { return field.station(i); };
+    film::slopes(film_, {level_.grid, i, of(level_.P), of(level_.H)},
+                 {.eps = of(level_.eps),
+                  .eps_across = two_epsilons_ ? of(level_.eps_across) : std::span<const double>{},
+                  .rho_bar = of(level_.rho_bar),
+                  .drho_bar = of(level_.drho_bar)},
+                 work.film,
+                 {.eps_P = work.eps_P,
+                  .eps_H = work.eps_H,
+                  .eps_across_P = work.eps_across_P,
+                  .eps_across_H = work.eps_across_H});
+  }
+
+  const film::Model& film_;
+  bool two_epsilons_;
+  reynolds::Cavitation cavitation_;
+  Level& level_;
+  reynolds::Transport transport_;
+  reynolds::HalfInverseSquares half_;
+  double stretch_;
+  double weight_single_;
+  double most_change_;
+  double crossover_ = 0.0;
+};
+
+}  // namespace
+
+bool can_relax_across(const Hierarchy& hierarchy, const Level& level) {
+  return !level.grid.domain.line && !conserves_mass(level) && hierarchy.transport.squeeze == 0.0;
+}
+
+void relax_across(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::line_solve);
+  const StationAcross station(hierarchy, level, how);
+  const int threads = hierarchy.threads_on(level.grid);
+  for (int first = 1; first <= 2; ++first) {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (int i = first; i < level.grid.nx; i += 2)
+      station.relax(i, level.thread_work[static_cast<std::size_t>(omp_get_thread_num())]);
+  }
+}
+
+}  // namespace ehl::multigrid

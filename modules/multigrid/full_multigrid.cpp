@@ -1,0 +1,160 @@
+#include "multigrid/full_multigrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "judgement/error_estimate.hpp"
+#include "multigrid/start.hpp"
+
+namespace ehl::multigrid {
+namespace {
+
+using judgement::Aim;
+using judgement::Measures;
+using judgement::StoppingCriterion;
+
+/// A meniscus moves by few cells per cycle, and the film in the contact hardly shows it. It reaches its position on the
+/// levels below the finest, where cycles are cheap: they run until the relative residual is below at_its_place, with at
+/// most to_its_place times extra_cycles.
+constexpr double at_its_place = 1e-2;
+constexpr int to_its_place = 4;
+
+StoppingCriterion criterion_of(const Run& run, std::size_t l) {
+  const Parameters& parameters = run.hierarchy.parameters;
+  const int planned = l == run.plan.first ? std::max(run.plan.cycles, parameters.cycles) : parameters.cycles;
+  if (l == run.finest())
+    return {.aim = Aim::solution,
+            .planned = planned,
+            .most = std::max(parameters.max_cycles, planned),
+            .tolerance = parameters.tolerance};
+  const bool meniscus = reynolds::conserves(run.hierarchy.problem.cavitation);
+  const double of_start = meniscus ? at_its_place : std::numeric_limits<double>::infinity();
+  const int more = meniscus ? to_its_place * parameters.extra_cycles : 0;
+  if (l == run.plan.first)
+    return {.aim = Aim::first_start, .planned = planned, .most = planned + more, .of_start = of_start};
+  return {.aim = Aim::start,
+          .planned = planned,
+          .most = planned + (meniscus ? more : parameters.extra_cycles),
+          .of_start = of_start};
+}
+
+/// Discretization error of the last row. A line contact may start on its finest grid if coarser ones do not resolve its
+/// film, and then has no coarser solution to compare with. If the error bound of this mesh alone is at least as large
+/// as the film, it is returned instead: such a solution needs no small residual.
+DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
+  const DiscretizationError known{run.record.levels.back().error_Hc, run.record.levels.back().error_Hm};
+  const core::Patch& grid = run.hierarchy.levels[l].grid;
+  if (l != run.finest() || std::isfinite(known.Hc) || !grid.domain.line) return known;
+  const double order = reynolds::order(run.hierarchy.problem.transport.wedge);
+  const double bound = judgement::error_of_one_grid(grid.hx(), Hm, order);
+  return bound < 1.0 ? known : DiscretizationError{bound, bound};
+}
+
+/// Geometric mean of the convergence factors of the cycles on one level, all but the first.
+double mean_factor(const std::vector<double>& residuals) {
+  if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
+}
+
+/// The mass-conserving model starts from a flooded solution; the supply is then reduced in steps, and the meniscus
+/// recedes with it. [bench: supply_steps]
+void reduce_supply(Run& run) {
+  constexpr int cycles_of_a_supply = 8;
+  constexpr double next_supply = 0.7;
+  Hierarchy& hierarchy = run.hierarchy;
+  const std::size_t l = run.plan.first;
+  Level& level = hierarchy.levels[l];
+  const StoppingCriterion criterion{.aim = Aim::first_start, .planned = cycles_of_a_supply, .most = cycles_of_a_supply};
+  const auto cycles = [&] {
+    const CyclesResult result =
+        run_cycles(hierarchy, l, criterion, run.damping, [](int, const Measures&) { return DiscretizationError{}; });
+    run.damping = result.damping;
+  };
+  cycles();
+  run.damping = run.plan.above;  // damped relaxations keep a meniscus from its position
+  const double flooded = measures_of(hierarchy, l).Hc;
+  double least = hierarchy.problem.supply(0.0);
+  for (int j = 0; j <= level.grid.ny; ++j) least = std::min(least, hierarchy.problem.supply(level.grid.Y(j)));
+  least *= share_of_supply(hierarchy, level);
+  constexpr double thin = 0.01;  // of the flooded film: thinner layers pass through unchanged
+  for (double supply = flooded; supply > std::max(least, thin * flooded); supply *= next_supply) {
+    hierarchy.least_supply = supply;
+    supply_oil(hierarchy, level);
+    cycles();
+  }
+  hierarchy.least_supply = 0.0;
+  supply_oil(hierarchy, level);
+}
+
+void solve_first_level(Run& run) {
+  RowTimer timer(run);
+  const Plan& plan = run.plan;
+  run.damping = plan.at_first;
+  const bool conserves = reynolds::conserves(run.hierarchy.problem.cavitation);
+  if (conserves) run.hierarchy.least_supply = std::numeric_limits<double>::infinity();
+  start_from_hertz(run.hierarchy, plan.first, plan.H00, plan.sweeps, cautious(run.hierarchy.parameters, run.damping));
+  if (conserves) reduce_supply(run);
+  solve_level(run, plan.first);
+  run.damping = plan.above;
+  timer.stop();
+}
+
+}  // namespace
+
+void full_multigrid(Run& run) {
+  solve_first_level(run);
+  solve_finer_levels(run, run.plan.first);
+}
+
+void solve_finer_levels(Run& run, std::size_t from) {
+  Hierarchy& hierarchy = run.hierarchy;
+  const double order = reynolds::order(hierarchy.problem.transport.wedge);
+  State two_below;  // empty if it must not be used for extrapolation
+  for (std::size_t l = from + 1; l <= run.finest(); ++l) {
+    RowTimer timer(run);
+    // A coarse solution with a negative film is not extrapolated.
+    const bool holds = run.record.levels.back().Hm > 0.0;
+    State below = state_of(hierarchy, l - 1);
+    if (two_below.P.nodes_x() > 0 && holds)
+      start_from_two_coarser(hierarchy, l, two_below, order);
+    else
+      start_from_coarser(hierarchy, l);
+    two_below = holds ? std::move(below) : State{};
+    solve_level(run, l);
+    timer.stop();
+  }
+}
+
+void solve_level(Run& run, std::size_t l) {
+  const StoppingCriterion criterion = criterion_of(run, l);
+  Record& record = run.record;
+  record.levels.emplace_back();
+  std::vector<double> residuals;
+  const CycleObserver after_cycle = [&](int cycle, const Measures& now) -> DiscretizationError {
+    if (!residuals.empty() && record.history.back().cycle == cycle) {  // again, after the global mass correction
+      record.history.pop_back();
+      residuals.pop_back();
+    }
+    enter(run.hierarchy, l, cycle, now, record);
+    report(run, l, cycle, criterion.planned, now);
+    residuals.push_back(now.residual);
+    return error_known_of(run, l, now.Hm);
+  };
+  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.damping, after_cycle);
+  run.damping = result.damping;
+  record.verification = verification_of(result.last);
+  const std::string where = name_of_level(run.hierarchy, l) + ": ";
+  if (result.end == CyclesEnd::diverged) throw core::SolverError(where + result.unmet);
+  record.failed_check = result.unmet.empty() ? "" : where + result.unmet;
+  observe(run, l);
+  if (l != run.finest()) return;
+  record.end = result.end;
+  record.cycle_factor = mean_factor(residuals);
+  record.converged = record.failed_check.empty();
+}
+
+}  // namespace ehl::multigrid

@@ -1,0 +1,260 @@
+#include "multigrid/line_batch.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "multigrid/line_lanes.hpp"
+#include "reynolds/content.hpp"
+
+namespace ehl::multigrid {
+
+using core::LaneMask;
+using core::Lanes;
+
+namespace {
+
+/// The film of a column: rho_bar, rho_bar H and d(rho_bar)/dP H.
+struct FilmStation {
+  Lanes rho_bar, rho_H, slope_H;
+};
+FilmStation film_station(const Level& level, int i, int j) {
+  const Lanes H = own_lines(level.H, i, j);
+  const Lanes rho_bar = own_lines(level.rho_bar, i, j);
+  return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
+}
+
+/// Derivatives of r by the films in epsilon, which is proportional to H^3: the film of the column itself, of the
+/// columns next to it, and of the two lines next to this one.
+struct FilmOfEpsilon {
+  Lanes own, west, east, across;
+};
+/// Share of the derivatives by the films of the neighbouring lines that the rows use, since these lines change in turn.
+/// [bench: share_of_lines_beside]
+constexpr double share_of_lines_beside = 0.3;
+
+/// Derivatives of r by the film through epsilon. On coarse grids the flux through the side of an elongated contact is
+/// the mean epsilon, that of a thick film outside, times nearly all of the pressure inside: that pressure is flux over
+/// epsilon, and epsilon follows the film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H, and
+/// the coarsest grid diverges. [bench: epsilon_follows_film]
+/// in: the arguments of poiseuille(): the factors of the faces, the pressures of the column and of its neighbours.
+FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::HalfInverseSquares& half, Lanes P_west,
+                              const Beside& P, Lanes P_east) {
+  const Beside H = with_neighbours(level.H, i, j);
+  const Beside eps = with_neighbours(eps_across(level), i, j);
+  const auto slope = [](Lanes e, Lanes h) {
+    return h > 0.0 ? 3.0 * e / (h > 0.0 ? h : core::broadcast(1.0)) : Lanes{};
+  };
+  const auto at = [&](int k) { return slope(own_lines(level.eps, k, j), own_lines(level.H, k, j)); };
+  const Lanes to_west = half.X * (P.own - P_west);
+  const Lanes to_east = half.X * (P.own - P_east);
+  const Lanes to_south = half.Y * (P.own - P.south), to_north = half.Y * (P.own - P.north);
+  return {
+      .own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
+      .west = at(i - 1) * to_west,
+      .east = at(i + 1) * to_east,
+      .across = share_of_lines_beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
+}
+
+/// True on the correcting grids of smooth steady ellipses. It slows down circular contacts with waves, and very hot
+/// ones and some line contacts find no solution with it. [bench: epsilon_follows_film]
+bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
+  const Problem& problem = hierarchy.problem;
+  return corrects_finer(level) && !level.grid.domain.line && !problem.geometry.gap.round() && !problem.surface &&
+         hierarchy.transport.squeeze == 0.0 && !problem.film.given_epsilon;
+}
+
+void hold_batch(Level& level, int colour, int batch) {
+  const int j = first_line(colour, batch);
+  const int at = batch * core::lanes;
+  for (int i = 1; i < level.grid.nx; ++i) {
+    double* to_delta = level.changes.delta.at_x(i) + at;
+    double* to_distributed = level.changes.distributed.at_x(i) + at;
+    Lanes delta = core::load(to_delta), distributed = core::load(to_distributed);
+    hold_to_what_is_there(own_lines(level.P, i, j), delta, distributed);
+    core::store(to_delta, delta);
+    core::store(to_distributed, distributed);
+  }
+}
+
+}  // namespace
+
+template <int reach, LineSolver solver>
+template <Form form, class Take>
+void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
+  constexpr bool follows = form == Form::following_film;
+  constexpr bool plain = form == Form::plain || follows;
+  const core::Patch& grid = level.grid;
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
+  const LaneMask outside = ~inside(j, grid);
+  const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
+  Lanes P_west = own_lines(level.P, 0, j);
+  Beside P = with_neighbours(level.P, 1, j);
+  FilmStation film2{};
+  FilmStation film1 = film_station(level, 0, j);
+  FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const DistributedShares shares = distributed_shares(grid);
+  const double share = shares.along;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  std::optional<reynolds::March<Lanes>> march;
+  if constexpr (form == Form::mass_conserving) {
+    Lanes supply{};
+    for (int lane = 0; lane < core::lanes; ++lane)
+      supply[lane] = level.supply[static_cast<std::size_t>(std::min(j + 2 * lane, grid.ny))];
+    march.emplace(transport, grid.hx(), core::min(supply, film1.rho_H), film1.rho_H);
+  }
+  for (int i = 1; i < grid.nx; ++i) {
+    const Beside P_east = with_neighbours(level.P, i + 1, j);
+    const FilmStation film0 = plain ? film_station(level, i, j) : film_east;
+    const auto k = static_cast<std::size_t>(i);
+    const reynolds::Faces<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
+    const auto c = reynolds::transport_weights(transport, i, grid.hx());
+    const Lanes inflow = reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own);
+
+    line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
+    FilmOfEpsilon of_epsilon{};
+    reynolds::PressureRow<Lanes> dr;  // by the pressure changes: Poiseuille terms, and the wedge through the density
+    if constexpr (plain) {
+      point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
+      if constexpr (follows) {
+        of_epsilon = film_of_epsilon(level, i, j, half, P_west, P, P_east.own);
+        point.c[0] += of_epsilon.own;
+        point.c[1] += of_epsilon.west;
+        point.c[3] = of_epsilon.east;
+      }
+      point.r = reynolds::transported(c, film0.rho_H, film1.rho_H, film2.rho_H) - inflow;
+      dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
+    } else if constexpr (form == Form::mass_conserving) {
+      film_east = film_station(level, i + 1, j);
+      reynolds::ThirdOrder<Lanes> theta{};
+      if (reynolds::third_order(transport.wedge))
+        theta = {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)};
+      const Lanes f = level.f.nodes_x() > 0 ? own_lines(level.f, i, j) : Lanes{};
+      point.r = march->residual(film0.rho_H, film_east.rho_H, theta, inflow - f);
+      const auto w = march->weights();
+      point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
+      dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
+      Lanes back = e.west;
+      if (at_half_points(level)) {
+        dr = reynolds::sum(dr, work_.answers[k]);
+        back += work_.answers_west[k];
+      }
+      dr.own -= march->behind_dry() ? march->part_that_returns() * back : Lanes{};
+      march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.chatters, i, j) > 0.0);
+    } else {
+      film_east = film_station(level, i + 1, j);
+      const auto w = reynolds::third_order_weights<Lanes>(
+          c, transport, grid.hx(), {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)});
+      point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
+      point.r = reynolds::transported(w, film0.rho_H, film1.rho_H, film2.rho_H, film_east.rho_H) - inflow;
+      dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
+      if (at_half_points(level)) dr = reynolds::sum(dr, work_.answers[k]);
+    }
+    if (form != Form::mass_conserving && level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
+
+    const Lanes* d = distributive + i;
+    point.a = coefficients_of_deltas(
+        shares, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
+
+    line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
+    // delta_{i-3} changes the density at i-2 by its distribution.
+    row.a[line_solvers::BandRow<reach>::lower - 3] += share * d[-3] * dr.far_west;
+    if constexpr (follows)
+      for (int q = -reach; q <= reach; ++q)
+        row.a[static_cast<std::size_t>(line_solvers::BandRow<reach>::lower + q)] -=
+            (1.0 - d[q]) * of_epsilon.across * level.film_terms.K_across[static_cast<std::size_t>(std::abs(q))];
+    LaneMask fixed = outside;
+    // Without these identity rows the solution would be no fixed point of the relaxation.
+    fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
+    line_solvers::make_identity(row, fixed);
+    take(i, row);
+
+    P_west = P.own;
+    P = P_east;
+    film2 = film1;
+    film1 = film0;
+  }
+}
+
+template <int reach, LineSolver solver>
+Lanes LineBatch<reach, solver>::weight_at(const Level& level, int i) const {
+  const auto k = static_cast<std::size_t>(i);
+  return weight_of_change(how_, work_.distributive[k + ThreadWork::margin],
+                          work_.range_of(k, level.grid.domain.line, core::stretch(level.grid)));
+}
+
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta, Lanes weight) const {
+  const Lanes distributive = work_.distributive[static_cast<std::size_t>(i) + ThreadWork::margin];
+  const int at = batch * core::lanes;
+  const Lanes change = bounded(how_, weight * delta);
+  core::store(level.changes.delta.at_x(i) + at, change);
+  core::store(level.changes.distributed.at_x(i) + at, distributive * change);
+}
+
+// Steady line contacts: the weight goes on the whole change of each pressure, and nothing remains to be distributed
+// (see apply() in line_relaxation.cpp).
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::weigh_pressures(Level& level, int batch) const {
+  const int at = batch * core::lanes;
+  const double share = distributed_shares(level.grid).along;
+  Lanes west{}, here = core::load(level.changes.distributed.at_x(1) + at);
+  for (int i = 1; i < level.grid.nx; ++i) {
+    const Lanes east = core::load(level.changes.distributed.at_x(i + 1) + at);
+    double* delta = level.changes.delta.at_x(i) + at;
+    core::store(delta, weight_at(level, i) * (core::load(delta) - share * (west + east)));
+    core::store(level.changes.distributed.at_x(i) + at, Lanes{});
+    west = here;
+    here = east;
+  }
+}
+
+template <int reach, LineSolver solver>
+line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour,
+                                                         int batch) {
+  const int j = first_line(colour, batch);
+  const bool in_time = hierarchy.transport.squeeze > 0.0;
+  const bool by_pressures = level.grid.domain.line && !in_time;
+  const auto keep_one = [&](int i, Lanes delta) {
+    keep(level, batch, i, delta, by_pressures ? core::broadcast(1.0) : weight_at(level, i));
+  };
+  const auto end = [&] {
+    if (by_pressures) weigh_pressures(level, batch);
+    if (in_time && reynolds::ruptures(hierarchy.problem.cavitation)) hold_batch(level, colour, batch);
+  };
+  LineCoefficients(work_, how_).read(hierarchy, level, j);
+  const auto assemble_by_scheme = [&](auto take) {
+    if (conserves_mass(level))
+      assemble<Form::mass_conserving>(hierarchy, level, j, take);
+    else if (at_half_points(level) || reynolds::third_order(level.scheme.wedge))
+      assemble<Form::general>(hierarchy, level, j, take);
+    else if (epsilon_follows_film(hierarchy, level))
+      assemble<Form::following_film>(hierarchy, level, j, take);
+    else
+      assemble<Form::plain>(hierarchy, level, j, take);
+  };
+  if constexpr (solver == LineSolver::elimination) {
+    line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
+    assemble_by_scheme([&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
+    elimination.back_substitute(keep_one);
+    end();
+    return elimination.small_pivot();
+  } else {
+    auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
+    assemble_by_scheme([&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
+    const line_solvers::SmallPivot small = decimation.solve();
+    for (int i = 1; i < level.grid.nx; ++i) keep_one(i, decimation.delta(i));
+    end();
+    return small;
+  }
+}
+
+template class LineBatch<1, LineSolver::elimination>;
+template class LineBatch<2, LineSolver::elimination>;
+template class LineBatch<3, LineSolver::elimination>;
+template class LineBatch<1, LineSolver::decimation>;
+template class LineBatch<2, LineSolver::decimation>;
+template class LineBatch<3, LineSolver::decimation>;
+
+}  // namespace ehl::multigrid
