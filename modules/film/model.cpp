@@ -13,13 +13,26 @@ std::span<double> part(const Station& station, std::vector<double>& buffer) {
   return std::span<double>(buffer).first(std::min(buffer.size(), station.P.size()));
 }
 
-void apply_effects(const Model& model, const Station& station, std::span<double> fluidity, Buffers& buffers) {
-  if (model.effects.empty()) return;
-  const Factors factors{fluidity, part(station, buffers.mobility), part(station, buffers.mobility_across),
-                        part(station, buffers.carried)};
-  for (const std::span<double> values : {factors.mobility, factors.mobility_across, factors.carried})
-    std::ranges::fill(values, 1.0);
-  for (const CoefficientEffect& effect : model.effects) effect(station, factors);
+// Multiplies the fluidity by its factor, and copies the other factors into the buffers.
+void apply_factors(const Station& station, std::span<double> fluidity, Buffers& buffers) {
+  if (station.factors == nullptr) return;
+  const std::ptrdiff_t next = station.along ? station.factors->fluidity.stride() : 1;
+  const auto first = [&](const core::Field& field) { return field.at_x(station.i) + (station.along ? 1 : 0); };
+  const double* factor = first(station.factors->fluidity);
+  for (double& value : fluidity) {
+    value *= *factor;
+    factor += next;
+  }
+  const auto copy = [&](const core::Field& field, std::vector<double>& to) {
+    const double* from = first(field);
+    for (double& value : part(station, to)) {
+      value = *from;
+      from += next;
+    }
+  };
+  copy(station.factors->mobility, buffers.mobility);
+  copy(station.factors->mobility_across, buffers.mobility_across);
+  copy(station.factors->carried, buffers.carried);
 }
 
 void multiply(std::span<double> values, const std::vector<double>& by) {
@@ -39,11 +52,18 @@ void epsilon_slopes(const Station& station, const Coefficients<const double>& at
 
 }  // namespace
 
+FactorFields unit_factors(const core::Patch& grid) {
+  const core::Field zero(grid);
+  FactorFields factors{zero, zero, zero, zero};
+  for (const auto field : factor_fields) (factors.*field).fill(1.0);
+  return factors;
+}
+
 Buffers make_buffers(const Model& model, int nodes) {
   const auto size = static_cast<std::size_t>(nodes);
   Buffers buffers{.fluidity = std::vector<double>(size)};
   if (anisotropic(model)) buffers.along = buffers.across = buffers.fluidity;
-  if (!model.effects.empty())
+  if (model.has_factors)
     buffers.along = buffers.mobility = buffers.mobility_across = buffers.carried = buffers.fluidity;
   return buffers;
 }
@@ -59,7 +79,7 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   const std::span<double> fluidity = part(station, buffers.fluidity);
   rheology::film_properties(model.viscosity, model.density, station.P, fluidity, out.rho_bar);
   rheology::density_slope(model.density, station.P, out.drho_bar);
-  apply_effects(model, station, fluidity, buffers);
+  apply_factors(station, fluidity, buffers);
   if (anisotropic(model)) {
     const std::span<double> along = part(station, buffers.along), across = part(station, buffers.across);
     rheology::film_fluidity(*model.thinning, station.H, fluidity, along, across);
@@ -68,18 +88,11 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   } else {
     epsilon(station.H, out.rho_bar, fluidity, model.lambda, out.eps);
   }
-  if (model.effects.empty()) return;
+  if (station.factors == nullptr) return;
   multiply(out.eps, buffers.mobility);
   multiply(out.eps_across, buffers.mobility_across);
   multiply(out.rho_bar, buffers.carried);
   multiply(out.drho_bar, buffers.carried);
-}
-
-double mobility_by_effects(const Model& model, const Station& station) {
-  Buffers buffers = make_buffers(model, static_cast<int>(station.P.size()));
-  std::ranges::fill(buffers.fluidity, 1.0);
-  apply_effects(model, station, buffers.fluidity, buffers);
-  return model.effects.empty() ? 1.0 : buffers.fluidity.front() * buffers.mobility.front();
 }
 
 void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out) {
@@ -87,9 +100,9 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
   const std::span<double> fluidity = thins ? part(station, buffers.fluidity) : out.fluidity;
   rheology::film_properties(model.viscosity, model.density, station.P, out.log_viscosity, fluidity, out.rho_bar);
   rheology::density_slope(model.density, station.P, out.drho_bar);
-  if (!model.effects.empty()) {
+  if (station.factors != nullptr) {
     std::ranges::copy(fluidity, buffers.along.begin());
-    apply_effects(model, station, fluidity, buffers);
+    apply_factors(station, fluidity, buffers);
     rheology::thin_log_viscosity(part(station, buffers.along), fluidity, out.log_viscosity);
   }
   if (thins) {
@@ -98,7 +111,7 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
     rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
     rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
   }
-  if (model.effects.empty()) return;
+  if (station.factors == nullptr) return;
   // Half points compute epsilon with rho_bar = Q/H, which contains the factor `carried`; so the fluidity is divided by
   // it.
   const auto move = [&](const std::vector<double>& mobility, std::span<double> phi, std::span<double> log_eta) {
@@ -127,7 +140,7 @@ void oil_slopes(const Model& model, const Station& station, Buffers& buffers, co
   if (anisotropic(model)) {
     const std::span<double> fluidity = part(station, buffers.fluidity);
     rheology::fluidity(model.viscosity, station.P, fluidity);
-    apply_effects(model, station, fluidity, buffers);
+    apply_factors(station, fluidity, buffers);
     rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
     write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
   }
@@ -142,7 +155,7 @@ void slopes(const Model& model, const Station& station, const Coefficients<const
   if (anisotropic(model)) {
     const std::span<double> fluidity = part(station, buffers.fluidity);
     rheology::fluidity(model.viscosity, station.P, fluidity);
-    apply_effects(model, station, fluidity, buffers);
+    apply_factors(station, fluidity, buffers);
     rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
     epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
   }

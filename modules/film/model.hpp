@@ -6,11 +6,25 @@
 #include <span>
 #include <vector>
 
+#include "core/field.hpp"
 #include "core/grid.hpp"
 #include "rheology/laws.hpp"
 #include "rheology/shear.hpp"
 
 namespace ehl::film {
+
+/// Factors on the coefficients at the nodes of a grid, by heat and by thinning of the pressure flow. They are constant
+/// while cycles run, so that a cycle has one operator.
+struct FactorFields {
+  core::Field fluidity;         ///< on 1/eta_bar before shear thinning
+  core::Field mobility;         ///< further factor on epsilon along X
+  core::Field mobility_across;  ///< further factor on epsilon along Y, if it differs
+  core::Field carried;          ///< on Q, what the surfaces carry
+};
+inline constexpr auto factor_fields = {&FactorFields::fluidity, &FactorFields::mobility, &FactorFields::mobility_across,
+                                       &FactorFields::carried};
+/// Factors of 1.
+FactorFields unit_factors(const core::Patch& grid);
 
 /// A column: the nodes of a patch at one X. P and H have one value per line. With `along`, in a line contact: one value
 /// per node along X, from node i on.
@@ -20,16 +34,8 @@ struct Station {
   std::span<const double> P;
   std::span<const double> H;
   bool along = false;
+  const FactorFields* factors = nullptr;  ///< of this grid, if the model has factors
 };
-
-/// The values at the nodes of a column that an effect on the coefficients may change.
-struct Factors {
-  std::span<double> fluidity;         ///< 1/eta_bar before shear thinning, to be changed in place
-  std::span<double> mobility;         ///< further factor on epsilon along X
-  std::span<double> mobility_across;  ///< further factor on epsilon along Y, if it differs
-  std::span<double> carried;          ///< factor on Q, what the surfaces carry
-};
-using CoefficientEffect = std::function<void(const Station& station, const Factors& factors)>;
 
 /// eps = rho_bar H^3/(eta_bar lambda) (eq. 5), Q = rho_bar H.
 struct Model {
@@ -38,7 +44,7 @@ struct Model {
   rheology::DensityLaw density;
   /// Shear thinning by sliding along X, which makes epsilon along X and along Y differ.
   std::optional<rheology::ShearThinning> thinning{};
-  std::vector<CoefficientEffect> effects{};
+  bool has_factors = false;  ///< the coefficients have factors, which come with each column
   /// If set, epsilon(X, Y) instead of the laws, with rho_bar = 1: the linear model problems of eqs. (9) and (19).
   std::function<double(double, double)> given_epsilon{};
 };
@@ -62,9 +68,6 @@ struct Coefficients {
 };
 /// The coefficients of a column from its P and H. out: spans of its length.
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
-
-/// Factor of the effects on epsilon along X at the first node of a column. cost: allocates.
-double mobility_by_effects(const Model& model, const Station& station);
 
 /// The nodal values from which epsilon at half points is computed (half_points.hpp): 1/eta_bar and ln eta_bar along X,
 /// and along Y if these differ, else empty.

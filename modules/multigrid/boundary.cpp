@@ -53,13 +53,10 @@ double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
 /// u^2 u^2 over that of u^2.
 constexpr double share_upstream = 0.6;
 
-// Factor of the effects on epsilon upstream. The same flow builds up a pressure that is smaller by this factor.
-double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
-  const film::Model& model = hierarchy.problem.film;
-  if (!along_one_line(hierarchy, level) || model.effects.empty()) return 1.0;
-  return std::pow(
-      film::mobility_by_effects(model, {level.grid, 0, {level.P.at_x(0) + 1, 1}, {level.H.at_x(0) + 1, 1}, true}),
-      share_upstream);
+// Factor on epsilon upstream. The same flow builds up a pressure that is smaller by this factor.
+double mobility_upstream(const Hierarchy& hierarchy, const Level& level) {
+  if (!along_one_line(hierarchy, level) || !level.factors) return 1.0;
+  return std::pow(level.factors->fluidity(0, 1) * level.factors->mobility(0, 1), share_upstream);
 }
 
 // The film without the surface relief.
@@ -166,7 +163,7 @@ void follow_H00(const Hierarchy& hierarchy, Level& level) {
   const bool restricted = corrects_finer(level);
   auto point = level.boundary.begin();
   for_boundary(level.grid, [&](int i, int j, double) {
-    const double H = restricted ? level.H_restricted(i, j) : smooth_film(level, i, j);
+    const double H = restricted ? level.finer->H(i, j) : smooth_film(level, i, j);
     const double change = far_field.P(*point, H, now) - far_field.P(*point, H, before);
     level.P(i, j) = std::max(0.0, level.P(i, j) + change);
     ++point;

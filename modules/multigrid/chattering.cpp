@@ -12,12 +12,12 @@ int mark_chattering(Level& level) {
   int marked = 0;
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
-      double& changes = level.changes_of_kind(i, j);
-      const bool dry = level.content(i, j) < level.rho_bar(i, j) * level.H(i, j);
+      double& changes = level.content->changes_of_kind(i, j);
+      const bool dry = level.content->Q(i, j) < level.rho_bar(i, j) * level.H(i, j);
       const double count = std::abs(changes) + (changes == 0.0 || dry != (changes < 0.0) ? 1.0 : 0.0);
       changes = dry ? -count : count;
-      if (count <= changes_of_chattering || level.chatters(i, j) > 0.0) continue;
-      level.chatters(i, j) = 1.0;
+      if (count <= changes_of_chattering || level.content->chatters(i, j) > 0.0) continue;
+      level.content->chatters(i, j) = 1.0;
       ++marked;
     }
   return marked;
@@ -27,7 +27,7 @@ int find_chattering(Hierarchy& hierarchy, Level& level, const RelaxationParamete
   if (!conserves_mass(level)) return 0;
   constexpr int relaxations = 2 * changes_of_chattering;
   const core::Field unrelaxed = level.P;
-  level.changes_of_kind.fill(0.0);
+  level.content->changes_of_kind.fill(0.0);
   int marked = mark_chattering(level);
   for (int k = 0; k < relaxations; ++k) {
     relax(hierarchy, level, how);
@@ -44,15 +44,15 @@ int find_chattering(Hierarchy& hierarchy, Level& level, const RelaxationParamete
 
 void forget_chattering(Level& level) {
   if (!conserves_mass(level)) return;
-  level.chatters.fill(0.0);
-  level.changes_of_kind.fill(0.0);
+  level.content->chatters.fill(0.0);
+  level.content->changes_of_kind.fill(0.0);
 }
 
 int chattering_nodes(const Level& level) {
   double count = 0.0;
   if (conserves_mass(level))
     for (int i = 1; i < level.grid.nx; ++i)
-      for (int j = 1; j <= level.grid.last_line(); ++j) count += level.grid.lines(j) * level.chatters(i, j);
+      for (int j = 1; j <= level.grid.last_line(); ++j) count += level.grid.lines(j) * level.content->chatters(i, j);
   return static_cast<int>(std::lround(count));
 }
 

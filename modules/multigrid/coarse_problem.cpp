@@ -82,13 +82,13 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
 void restrict_content(const Level& fine, Level& coarse) {
   for (int J = 0; J <= coarse.grid.ny; ++J) {
     const int j = coarse.grid.finer_line(J);
-    coarse.supply[static_cast<std::size_t>(J)] = fine.supply[static_cast<std::size_t>(j)];
+    coarse.content->supply[static_cast<std::size_t>(J)] = fine.content->supply[static_cast<std::size_t>(j)];
     for (int I = 0; I <= coarse.grid.nx; ++I) {
       const int i = finer_station(fine, coarse, I);
-      const double Q = fine.content(i, j);
+      const double Q = fine.content->Q(i, j);
       const double full = coarse.rho_bar(I, J) * coarse.H(I, J);
       const bool lacks = Q < fine.rho_bar(i, j) * fine.H(i, j);
-      coarse.content(I, J) = lacks ? std::min(Q, full) : full;
+      coarse.content->Q(I, J) = lacks ? std::min(Q, full) : full;
     }
   }
 }
@@ -204,14 +204,15 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     reynolds::restrict_pressure(problem.cavitation, fine.P, coarse.grid, coarse.P);
-    core::copy(coarse.P, coarse.P_restricted);
-    transfer::restrict_injection(fine.H, coarse.H_restricted);
+    core::copy(coarse.P, coarse.finer->P);
+    transfer::restrict_injection(fine.H, coarse.finer->H);
     if (conserves_mass(fine))
       coarse.f.fill(0.0);
     else
       take_slack(problem.cavitation, fine, coarse);
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r, left_to_relaxation(fine, coarse));
-    coarse.H_floor = coarse_film_floor;
+    coarse.role = Role::corrects;
+    coarse.finer->H_floor = coarse_film_floor;
     coarse.H00_of_boundary = fine.H00_of_boundary;
     coarse.scheme = coarse_scheme_of(problem);
   }
@@ -223,14 +224,14 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   }
   const core::Patch& grid = coarse.grid;
   core::set_nodes(grid, coarse.F, [&](int i, int j) {
-    return coarse.H_restricted(i, j) - (rigid_gap(problem.geometry, grid, hierarchy.H00, i, j) + coarse.F(i, j));
+    return coarse.finer->H(i, j) - (rigid_gap(problem.geometry, grid, hierarchy.H00, i, j) + coarse.F(i, j));
   });
-  core::copy(coarse.H_restricted, coarse.H);
+  core::copy(coarse.finer->H, coarse.H);
   update_coefficients(hierarchy, coarse);
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
   if (conserves_mass(fine)) {
     restrict_content(fine, coarse);
-    reynolds::residual_of_content(grid, fields(coarse), {coarse.content, coarse.supply},
+    reynolds::residual_of_content(grid, fields(coarse), {coarse.content->Q, coarse.content->supply},
                                   transport_on(hierarchy, coarse), hierarchy.threads_on(grid), coarse.r);
   } else {
     update_residual(hierarchy, coarse);
@@ -247,7 +248,7 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
     core::Field& correction = coarse.correction;
-    core::set_nodes(coarse.grid, correction, [&](int i, int j) { return coarse.P(i, j) - coarse.P_restricted(i, j); });
+    core::set_nodes(coarse.grid, correction, [&](int i, int j) { return coarse.P(i, j) - coarse.finer->P(i, j); });
     prolong_correction(hierarchy, fine, correction, fine.correction);
     // Points whose residual was not restricted get no correction.
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,

@@ -16,7 +16,7 @@ namespace ehl::multigrid {
 /// in: the complete state of fine. Overwrites fine.r.
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse);
 
-/// fine.P += interpolation of (coarse.P - coarse.P_restricted), limited to P >= 0, except in cavitated points and next
+/// fine.P += interpolation of (coarse.P - coarse.finer->P), limited to P >= 0, except in cavitated points and next
 /// to them; then the film. The interpolation is bilinear, but weighted by the face conductances on stretched cells and
 /// for oblique contacts. Overwrites the correction of both levels.
 void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);

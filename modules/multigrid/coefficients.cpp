@@ -18,14 +18,13 @@ namespace {
 void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   auto followed = std::as_const(level.H).station(i);
   if (corrects_finer(level)) {
-    const auto finer = std::as_const(level.H_restricted).station(i);
+    const auto finer = std::as_const(level.finer->H).station(i);
     for (std::size_t j = 0; j < followed.size(); ++j)
-      work.followed[j] = std::max(followed[j], level.H_floor * finer[j]);
+      work.followed[j] = std::max(followed[j], level.finer->H_floor * finer[j]);
     followed = std::span<const double>(work.followed).first(followed.size());
   }
   const bool anisotropic = film::anisotropic(model);
-  const film::Station station{level.grid, i, std::as_const(level.P).station(i), followed};
-  film::coefficients(model, station, work.film,
+  film::coefficients(model, station_of(level, i, std::as_const(level.P).station(i), followed), work.film,
                      {.eps = level.eps.station(i),
                       .eps_across = anisotropic ? level.eps_across.station(i) : std::span<double>{},
                       .rho_bar = level.rho_bar.station(i),
@@ -39,7 +38,8 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
 void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   OilFields& oil = level.oil;
   const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
-  film::oil(model, {level.grid, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)}, work.film,
+  film::oil(model, station_of(level, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)),
+            work.film,
             {.fluidity = of(oil.fluidity),
              .log_viscosity = of(oil.log_viscosity),
              .fluidity_across = of(oil.fluidity_across),

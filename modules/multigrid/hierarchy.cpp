@@ -72,18 +72,17 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .eps = zero(),
           .eps_across = film::anisotropic(problem.film) || half_points || grid.domain.line ? zero() : core::Field(),
           .oil = half_points ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
+          .factors = problem.film.has_factors ? std::optional(film::unit_factors(grid)) : std::nullopt,
           .third_order = half_points || reynolds::third_order(problem.transport.wedge) ? zero() : core::Field(),
           .rho_bar = zero(),
           .drho_bar = zero(),
           .f = only_below_the_finest(),
           .F = problem.surface ? zero() : only_below_the_finest(),
-          .H_restricted = only_below_the_finest(),
-          .P_restricted = only_below_the_finest(),
+          .finer = finest ? std::nullopt : std::optional(FromFiner{zero(), zero()}),
           .r = zero(),
-          .content = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
-          .supply = std::vector<double>(reynolds::conserves(problem.cavitation) ? nodes_y : 0),
-          .chatters = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
-          .changes_of_kind = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
+          .content = reynolds::conserves(problem.cavitation)
+                         ? std::optional(OilContent{zero(), std::vector<double>(nodes_y), zero(), zero()})
+                         : std::nullopt,
           .correction = zero(),
           .changes = {zero_changes(), zero_changes()},
           .thread_work = WorkSpace(threads, std::move(work)),
@@ -197,9 +196,10 @@ double share_of_supply(const Hierarchy& hierarchy, const Level& level) {
 }
 
 void supply_oil(const Hierarchy& hierarchy, Level& level) {
+  if (!level.content) return;
   const double factor = hierarchy.supply_factor * share_of_supply(hierarchy, level);
-  for (std::size_t j = 0; j < level.supply.size(); ++j)
-    level.supply[j] =
+  for (std::size_t j = 0; j < level.content->supply.size(); ++j)
+    level.content->supply[j] =
         std::max(hierarchy.least_supply, factor * hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
 }
 
@@ -208,7 +208,8 @@ void update_residual(Hierarchy& hierarchy, Level& level) {
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const int threads = hierarchy.threads_on(level.grid);
   if (conserves_mass(level))
-    reynolds::residual(level.grid, fields(level), {level.content, level.supply}, transport, threads, level.r);
+    reynolds::residual(level.grid, fields(level), {level.content->Q, level.content->supply}, transport, threads,
+                       level.r);
   else
     reynolds::residual(level.grid, fields(level), transport, threads, level.r);
 }

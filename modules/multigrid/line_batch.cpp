@@ -101,7 +101,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
     for (int lane = 0; lane < core::lanes; ++lane)
-      supply[lane] = level.supply[static_cast<std::size_t>(std::min(j + 2 * lane, grid.ny))];
+      supply[lane] = level.content->supply[static_cast<std::size_t>(std::min(j + 2 * lane, grid.ny))];
     march.emplace(transport, grid.hx(), core::min(supply, film1.rho_H), film1.rho_H);
   }
   for (int i = 1; i < grid.nx; ++i) {
@@ -141,7 +141,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
         back += work_.answers_west[k];
       }
       dr.own -= march->behind_dry() ? march->part_that_returns() * back : Lanes{};
-      march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.chatters, i, j) > 0.0);
+      march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.content->chatters, i, j) > 0.0);
     } else {
       film_east = film_station(level, i + 1, j);
       const auto w = reynolds::third_order_weights<Lanes>(

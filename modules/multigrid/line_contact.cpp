@@ -31,7 +31,7 @@ void scatter(std::span<const double> along, core::Field& field) {
 void hold_film(const Level& level, std::vector<double>& H) {
   if (!corrects_finer(level)) return;
   for (std::size_t i = 0; i < H.size(); ++i)
-    H[i] = std::max(H[i], level.H_floor * level.H_restricted(static_cast<int>(i), 1));
+    H[i] = std::max(H[i], level.finer->H_floor * level.finer->H(static_cast<int>(i), 1));
 }
 
 void epsilon_behind_nodes(const film::Between& how, LineNodes& nodes, std::span<double> eps) {
@@ -88,7 +88,7 @@ void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   ThreadWork& work = level.thread_work.front();
   LineNodes& nodes = work.line_nodes;
   const bool half_points = at_half_points(level);
-  const film::Station line{level.grid, 0, nodes.P, nodes.H, true};
+  const film::Station line = station_of(level, 0, nodes.P, nodes.H, true);
   if (half_points) {
     film::oil(model, line, work.film,
               {.fluidity = nodes.fluidity,

@@ -144,12 +144,13 @@ reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level) {
 core::Field theta_of(const Level& level) {
   core::Field theta(level.grid);
   for (int i = 0; i <= level.grid.nx; ++i)
-    for (int j = 0; j <= level.grid.ny; ++j) theta(i, j) = level.content(i, j) / (level.rho_bar(i, j) * level.H(i, j));
+    for (int j = 0; j <= level.grid.ny; ++j)
+      theta(i, j) = level.content->Q(i, j) / (level.rho_bar(i, j) * level.H(i, j));
   return theta;
 }
 
 double stored_oil(const Level& level) {
-  return level.grid.hx() * level.grid.hy() * core::interior_sum(level.grid, level.content);
+  return level.grid.hx() * level.grid.hy() * core::interior_sum(level.grid, level.content->Q);
 }
 
 double mass_defect(const Hierarchy& hierarchy, const Level& level) {

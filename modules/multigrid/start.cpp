@@ -37,8 +37,7 @@ void pose_original_problem(const Hierarchy& hierarchy, Level& level) {
     problem.surface(level.grid, level.F);
   else
     level.F.fill(0.0);
-  level.H_restricted.fill(0.0);
-  level.H_floor = 0.0;
+  level.role = Role::solved;
   level.scheme = scheme_of(problem);
   level.load = problem.load.value_or(0.0);
   level.load_outside = 0.0;

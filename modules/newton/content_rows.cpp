@@ -15,14 +15,14 @@ void ContentRows::make(const multigrid::Level& level, const reynolds::Transport&
     return reynolds::third_order(transport.wedge) && i > 0 ? level.third_order(i, j) : 0.0;
   };
   for (int j = 1; j <= grid.last_line(); ++j) {
-    reynolds::March<double> march(transport, grid.hx(), level.content(0, j), full(0, j));
+    reynolds::March<double> march(transport, grid.hx(), level.content->Q(0, j), full(0, j));
     for (int i = 1; i < grid.nx; ++i) {
       const double own = full(i, j);
       const double r = march.residual(own, full(i + 1, j), {theta(i - 1, j), theta(i, j)}, 0.0);
       rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)] = {
-          march.weights(), march.weights_behind(), march.third_order_share(), level.content(i, j) < own,
+          march.weights(), march.weights_behind(), march.third_order_share(), level.content->Q(i, j) < own,
           march.behind_dry()};
-      march.go_on_with(own, level.content(i, j), r, level.chatters(i, j) > 0.0);
+      march.go_on_with(own, level.content->Q(i, j), r, level.content->chatters(i, j) > 0.0);
     }
   }
 }

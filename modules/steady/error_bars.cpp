@@ -202,7 +202,7 @@ void judge_by_adjoint(const Scene& scene, const adjoint::Errors& errors, const s
 
 /// True for a line contact without supply or further effects, with the third-order wedge.
 bool plain_line(const Scene& scene) {
-  return scene.grid.line && !scene.supply && scene.effects.empty() && reynolds::third_order(scene.wedge);
+  return scene.grid.line && !scene.supply && !scene.has_factors && reynolds::third_order(scene.wedge);
 }
 
 /// Line contacts: the grid sequence estimates better than the adjoint solution, whose cells are wider than a spike.

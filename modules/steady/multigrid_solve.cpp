@@ -136,7 +136,7 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
                .viscosity = scene.viscosity,
                .density = scene.density,
                .thinning = scene.thinning,
-               .effects = scene.effects},
+               .has_factors = scene.has_factors},
       .transport = transport_of(scene),
       .face = scene.face,
       .load = contact::load(scene.shape),
@@ -171,7 +171,7 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
   solution.H = core::on_domain(finest.grid, finest.H);
   solution.H00 = run.hierarchy.H00 - deformation_by_outside(run.hierarchy);
   if (multigrid::conserves_mass(finest)) {
-    solution.Q = core::on_domain(finest.grid, finest.content);
+    solution.Q = core::on_domain(finest.grid, finest.content->Q);
     solution.theta = core::on_domain(finest.grid, multigrid::theta_of(finest));
     solution.oil = multigrid::oil_of(run.hierarchy, finest);
   }
@@ -184,7 +184,7 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
-  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty() &&
+  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && !scene.has_factors &&
       !scene.supply)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);
   solution.times = run.hierarchy.times;

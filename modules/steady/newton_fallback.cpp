@@ -129,11 +129,11 @@ Solution refine_by_newton(const Scene& scene, const Start& start, const Solution
   const newton::Result result = solve_level_by_newton(run, l, final_tolerance(scene));
   if (result.converged) {
     const multigrid::State solved = multigrid::state_of(hierarchy, l);
-    const core::Field chatters = hierarchy.finest().chatters;
+    const std::optional<multigrid::OilContent> content = hierarchy.finest().content;
     solve_levels_below(run);
     run.record.levels.push_back(unsolved.levels.back());
     multigrid::start_from_state(hierarchy, l, solved);
-    hierarchy.finest().chatters = chatters;
+    if (content) hierarchy.finest().content->chatters = content->chatters;
   }
   judge(run, result.converged, result.reason);
   run.record.levels.back().seconds += core::now() - began;

@@ -80,7 +80,7 @@ struct Scene {
   /// Why no other strategy follows a failed first start; it becomes the message of the failure. Empty: all are tried.
   std::string one_start_only{};
   std::optional<rheology::ShearThinning> thinning{};  ///< shear thinning; absent: Newtonian
-  std::vector<film::CoefficientEffect> effects{};     ///< effects that change the coefficients of the Reynolds equation
+  bool has_factors = false;  ///< an effect sets factors on the coefficients between cycles (film::FactorFields)
   /// Oil layer that the surfaces bring, in units of H (or mass over rho0): mass conserving inlet and cavity. Empty: the
   /// inlet is full.
   std::function<double(double Y)> supply{};

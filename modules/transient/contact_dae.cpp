@@ -79,7 +79,7 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   hierarchy_.load_line = {};
   hierarchy_.outside_line = {};
   hierarchy_.far_motion = {.load = drive.load};
-  level.H_floor = 0.0;
+  level.role = multigrid::Role::solved;
   level.scheme = multigrid::scheme_of(hierarchy_.problem);
   if (course_.surface) course_.surface(level.grid, T, level.F);
   if (!conserves_mass()) return;

@@ -11,7 +11,7 @@ namespace ehl::transient {
 
 double ContactDae::content(int i, int j) const {
   const multigrid::Level& level = hierarchy_.levels.back();
-  return conserves_mass() ? level.content(i, j) : level.rho_bar(i, j) * level.H(i, j);
+  return conserves_mass() ? level.content->Q(i, j) : level.rho_bar(i, j) * level.H(i, j);
 }
 
 // True for cavitated nodes of y and for nodes so close that the film edge may reach them within a step. When the edge
@@ -36,9 +36,9 @@ void ContactDae::set_content(std::span<const double> y) {
   multigrid::Level& level = hierarchy_.finest();
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     const double full = level.rho_bar(i, j) * level.H(i, j);
-    level.content(i, j) = level.P(i, j) > 0.0 ? full : std::clamp(y[nodes_ + k], 0.0, full);
+    level.content->Q(i, j) = level.P(i, j) > 0.0 ? full : std::clamp(y[nodes_ + k], 0.0, full);
   });
-  core::fill_ghosts(level.grid, level.content);
+  core::fill_ghosts(level.grid, level.content->Q);
   oil_by_flows_ = y.back();
 }
 
@@ -57,9 +57,10 @@ void ContactDae::spread_oil() {
   if (!conserves_mass()) return;
   multigrid::Level& level = hierarchy_.finest();
   for_nodes(level.grid, [&](int i, int j, std::size_t) {
-    level.content(i, j) = std::min(level.supply[static_cast<std::size_t>(j)], level.rho_bar(i, j) * level.H(i, j));
+    level.content->Q(i, j) =
+        std::min(level.content->supply[static_cast<std::size_t>(j)], level.rho_bar(i, j) * level.H(i, j));
   });
-  core::fill_ghosts(level.grid, level.content);
+  core::fill_ghosts(level.grid, level.content->Q);
 }
 
 // Without this correction the algebraic errors in the rows of full nodes would add up from step to step. The excess is

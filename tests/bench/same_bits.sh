@@ -53,6 +53,12 @@ bump transient/bump.ini --set grid.cells=64 --set transient.end_time=0.6
 load_step transient/load_step.ini --set grid.cells=64
 impact transient/impact.ini --set grid.cells=64
 vibration transient/vibration.ini --set grid.cells=64
+line line/M20_L5.ini
+starved starved/M50_L10.ini --set grid.cells=128
+starved_line line/starved.ini
+heat thermal/squalane.ini --set grid.cells=128
+hot_line thermal/line.ini
+starved_heat thermal/starved.ini --set grid.cells=64
 dent transient/dent_M1000_L10.ini --set grid.cells=128 --set transient.end_time=0.2
 accuracy venner1992_M50_L10.ini --accuracy
 TABLE

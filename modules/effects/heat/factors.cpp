@@ -2,50 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "transfer/transfer.hpp"
 
 namespace ehl::heat {
 namespace {
 
-constexpr auto all = {&GridFactors::fluidity, &GridFactors::mobility, &GridFactors::mobility_across,
-                      &GridFactors::carried};
-
-GridFactors ones(const core::Patch& grid) {
-  GridFactors factors{grid, core::Field(grid), core::Field(grid), core::Field(grid), core::Field(grid)};
-  for (const auto field : all) (factors.*field).fill(1.0);
-  return factors;
-}
-
 void restrict_weighted(const core::Patch& fine, const core::Patch& coarse, core::Field& from, core::Field& to) {
   core::fill_ghosts(fine, from);
   transfer::restrict_full_weighting(coarse, from, to);
 }
 
+void restrict_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
+  for (; l > 0; --l) {
+    multigrid::Level &fine = hierarchy.levels[l], &coarse = hierarchy.levels[l - 1];
+    for (const auto field :
+         {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across})
+      restrict_weighted(fine.grid, coarse.grid, *fine.factors.*field, *coarse.factors.*field);
+    transfer::restrict_injection(fine.factors->carried, coarse.factors->carried);
+  }
+}
+
 }  // namespace
 
-Factors::Factors(const std::vector<core::Patch>& grids) : before_(ones(grids.front())) {
-  for (const core::Patch& grid : grids) grids_.push_back(ones(grid));
+void reset_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
+  for (std::size_t k = 0; k <= l; ++k)
+    for (const auto field : film::factor_fields) (*hierarchy.levels[k].factors.*field).fill(1.0);
 }
 
-Factors::Factors(const std::vector<core::Patch>& grids, const Factors& coarse) : Factors(grids) {
-  GridFactors& finest = grids_.front();
-  for (const auto field : all) transfer::prolong_bilinear(coarse.grids_.front().*field, finest.*field, 1);
-  restrict_all();
+void interpolate_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
+  for (const auto field : film::factor_fields)
+    transfer::prolong_bilinear(*hierarchy.levels[l - 1].factors.*field, *hierarchy.levels[l].factors.*field, 1);
+  restrict_factors(hierarchy, l);
 }
 
-double Factors::take(const thermal::FilmTemperature& film, double weight) {
-  GridFactors& finest = grids_.front();
-  for (const auto field : all) core::copy(finest.*field, before_.*field);
+double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const thermal::FilmTemperature& film,
+                    double weight) {
+  const core::Patch& grid = hierarchy.levels[l].grid;
+  film::FactorFields& factors = *hierarchy.levels[l].factors;
   double largest = 0.0;
   const auto mean = [weight](double asked, double now) {
     return weight == 1.0 ? asked : now * std::pow(asked / now, weight);
   };
-  for (int i = 0; i <= finest.grid.nx; ++i)
-    for (int j = 0; j <= finest.grid.ny; ++j) {
-      double &I0 = finest.fluidity(i, j), &mobility = finest.mobility(i, j), &C = finest.carried(i, j);
-      double& across = finest.mobility_across(i, j);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      double &I0 = factors.fluidity(i, j), &mobility = factors.mobility(i, j), &C = factors.carried(i, j);
+      double& across = factors.mobility_across(i, j);
       const double M2 = film.M2()(i, j), asked = M2 * film.more_x()(i, j);
       largest = std::max(largest, std::abs(std::log(asked / (I0 * mobility))));
       mobility = mean(asked / film.I0()(i, j), mobility);
@@ -54,42 +56,13 @@ double Factors::take(const thermal::FilmTemperature& film, double weight) {
       // C is averaged arithmetically, because it may pass through zero if a surface stands still.
       C += weight * (film.C()(i, j) - C);
     }
-  restrict_all();
+  restrict_factors(hierarchy, l);
   return largest;
 }
 
-void Factors::give_back() {
-  for (const auto field : all) core::copy(before_.*field, grids_.front().*field);
-  restrict_all();
-}
-
-void Factors::restrict_all() {
-  for (std::size_t l = 1; l < grids_.size(); ++l) {
-    GridFactors &fine = grids_[l - 1], &coarse = grids_[l];
-    restrict_weighted(fine.grid, coarse.grid, fine.fluidity, coarse.fluidity);
-    restrict_weighted(fine.grid, coarse.grid, fine.mobility, coarse.mobility);
-    restrict_weighted(fine.grid, coarse.grid, fine.mobility_across, coarse.mobility_across);
-    transfer::restrict_injection(fine.carried, coarse.carried);
-  }
-}
-
-film::CoefficientEffect Factors::effect(std::shared_ptr<const Factors> factors) {
-  return [factors = std::move(factors)](const film::Station& station, const film::Factors& at) {
-    const auto here = std::ranges::find(factors->grids_, station.grid, &GridFactors::grid);
-    if (here == factors->grids_.end()) return;  // a grid of another hierarchy, for which no temperature is known yet
-    const auto multiply = [&](const core::Field& by, std::span<double> values) {
-      const double* value = by.at_x(station.i) + (station.along ? 1 : 0);
-      const std::ptrdiff_t next = station.along ? by.stride() : 1;
-      for (double& one : values) {
-        one *= *value;
-        value += next;
-      }
-    };
-    multiply(here->fluidity, at.fluidity);
-    multiply(here->mobility, at.mobility);
-    multiply(here->mobility_across, at.mobility_across);
-    multiply(here->carried, at.carried);
-  };
+void set_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const film::FactorFields& factors) {
+  for (const auto field : film::factor_fields) core::copy(factors.*field, *hierarchy.levels[l].factors.*field);
+  restrict_factors(hierarchy, l);
 }
 
 }  // namespace ehl::heat

@@ -1,44 +1,27 @@
 #pragma once
-// Factors by which temperature changes the coefficients, on every grid: I0 on the fluidity, M2/I0 (times the thinning
-// by the pressure flow) on the flow driven by pressure, and C on what the surfaces carry.
-#include <memory>
-#include <vector>
+// The factors by which temperature changes the coefficients (film::FactorFields), on a level and the grids below it: I0
+// on the fluidity, M2/I0 (times the thinning by the pressure flow) on the flow driven by pressure, and C on what the
+// surfaces carry.
+#include <cstddef>
 
-#include "core/field.hpp"
-#include "core/grid.hpp"
-#include "film/model.hpp"
+#include "multigrid/hierarchy.hpp"
 #include "thermal/film_temperature.hpp"
 
 namespace ehl::heat {
 
-/// Factors on one grid; 1 until the temperature is known.
-struct GridFactors {
-  core::Patch grid;
-  core::Field fluidity, mobility, mobility_across, carried;
-};
+/// Factors of 1 on levels[l] and below.
+void reset_factors(multigrid::Hierarchy& hierarchy, std::size_t l);
 
-/// Factors on all grids of a hierarchy. They are constant while cycles run, so that a cycle has one operator.
-class Factors {
- public:
-  /// in: grids, the finest first, as from multigrid::grids_below().
-  explicit Factors(const std::vector<core::Patch>& grids);
-  /// Factors on finer grids, by bilinear interpolation from the grid of every second node.
-  Factors(const std::vector<core::Patch>& grids, const Factors& coarse);
+/// Factors on levels[l] from those of the next coarser level, by bilinear interpolation; then on the levels below.
+void interpolate_factors(multigrid::Hierarchy& hierarchy, std::size_t l);
 
-  /// Weighted geometric mean of new and old factors: ln f = weight ln f_film + (1 - weight) ln f. Full weighting
-  /// carries I0 and M2/I0 to the coarser grids, injection carries C. returns the largest change of ln M2 that the film
-  /// requires.
-  double take(const thermal::FilmTemperature& film, double weight);
-  /// Restores the factors from before the last take().
-  void give_back();
+/// Weighted geometric mean of new and old factors on levels[l]: ln f = weight ln f_film + (1 - weight) ln f. Full
+/// weighting carries I0 and M2/I0 to the levels below, injection carries C. returns the largest change of ln M2 that
+/// the film requires.
+double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const thermal::FilmTemperature& film,
+                    double weight);
 
-  /// The effect for film::Model, on any column or line of any of the grids. It shares ownership of the factors.
-  static film::CoefficientEffect effect(std::shared_ptr<const Factors> factors);
-
- private:
-  void restrict_all();
-  std::vector<GridFactors> grids_;
-  GridFactors before_;  // factors of the finest grid before the last take()
-};
+/// Sets the factors on levels[l], and by restriction those on the levels below.
+void set_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const film::FactorFields& factors);
 
 }  // namespace ehl::heat

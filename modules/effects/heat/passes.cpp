@@ -132,8 +132,8 @@ std::string correct_mass(multigrid::Run& run, std::size_t l, const multigrid::St
 }
 
 // Updates temperature and factors from the state. returns the change of the coefficients that the film requires.
-double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
-             double weight, thermal::Balance& balance) {
+double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, double weight,
+             thermal::Balance& balance) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
   multigrid::Level& level = hierarchy.levels[l];
   if (multigrid::conserves_mass(level)) {
@@ -148,23 +148,24 @@ double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::
   // passes.
   for (int sweep = 0; sweep < (slow ? sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
   balance = film.balance();
-  return factors.take(film, weight);
+  return take_factors(hierarchy, l, film, weight);
 }
 
 }  // namespace
 
-Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
-               const Parameters& parameters) {
+Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, const Parameters& parameters) {
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   multigrid::Level& level = hierarchy.levels[l];
   Result result;
   History history;
   LastCycle last;
+  film::FactorFields factors_before = *level.factors;
   double weight = parameters.first_weight, asked_before = INFINITY;
   for (int n = 1; n <= parameters.most; ++n) {
     const multigrid::State kept = multigrid::state_of(hierarchy, l);
     const multigrid::Damping damping = run.damping;
-    const double asked = renew(hierarchy, l, n, film, factors, weight, result.balance);
+    for (const auto field : film::factor_fields) core::copy(*level.factors.*field, factors_before.*field);
+    const double asked = renew(hierarchy, l, n, film, weight, result.balance);
     const double factor = std::clamp(asked / asked_before, least_q, most_q);
     if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
     history.factor = factor;
@@ -187,7 +188,7 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     }
     core::copy(kept.P, level.P);
     hierarchy.H00 = kept.H00;
-    factors.give_back();
+    set_factors(hierarchy, l, factors_before);
     multigrid::update_film(hierarchy, level);
     weight *= 0.5;
     run.damping = damping;

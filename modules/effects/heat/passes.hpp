@@ -49,7 +49,6 @@ struct Result {
 /// undone and repeated with half the under-relaxation factor. The factor also falls if the required change does not
 /// fall. Updates the last row of the record.
 /// limits: neither the Newton fallback nor load continuation is available. errors: core::Interrupted.
-Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
-               const Parameters& parameters);
+Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, const Parameters& parameters);
 
 }  // namespace ehl::heat

@@ -34,9 +34,8 @@ constexpr double change_of_first = 3e-4;
 
 // The sequence of grids and the state of the iteration.
 struct HeatedRun {
-  steady::Scene scene;  // with the effect of the factors
+  steady::Scene scene;  // with factors
   multigrid::Run run;
-  std::shared_ptr<Factors> factors;
   double first_weight = 1.0;  // under-relaxation factor of the first pass on the first grid
   std::vector<Pass> found{};  // coarse to fine
   std::vector<Row> rows{};
@@ -55,18 +54,11 @@ double share_of_load(const multigrid::Run& run, std::size_t l) {
 }
 
 HeatedRun begin(steady::Scene scene, const steady::ProgressCallback& progress) {
-  const auto factors = std::make_shared<Factors>(std::vector<core::Patch>{scene.grid});
-  scene.effects.push_back(Factors::effect(factors));
+  scene.has_factors = true;
   const steady::Start start{.coarsest = steady::held_by(64, scene) ? 32 : 64};
   multigrid::Run run = steady::begin_multigrid(scene, start, progress);
   run.damping = run.plan.above;
-  return {.scene = std::move(scene), .run = std::move(run), .factors = factors};
-}
-
-std::vector<core::Patch> patches_from(const multigrid::Run& run, std::size_t l) {
-  std::vector<core::Patch> patches;
-  for (std::size_t k = l + 1; k-- > 0;) patches.push_back(run.hierarchy.levels[k].grid);
-  return patches;
+  return {.scene = std::move(scene), .run = std::move(run)};
 }
 
 multigrid::State injected(const multigrid::Run& run, std::size_t l, const steady::Solution& isothermal) {
@@ -115,7 +107,7 @@ void pass_on(HeatedRun& heated, std::size_t l, thermal::Setup setup) {
     parameters.error = (heated.found.empty() ? change_of_first : change_below) / parameters.share;
   }
   run.record.levels.emplace_back();
-  heated.last = heat_up(run, l, *heated.film, *heated.factors, parameters);
+  heated.last = heat_up(run, l, *heated.film, parameters);
   timer.stop();
   run.record.levels.back().observed =
       steady::observed(heated.scene, run.hierarchy, l, core::on_domain(setup.patch, heated.film->I0()),
@@ -151,11 +143,11 @@ bool solve_levels(HeatedRun& heated, std::size_t first, const thermal::Setup& se
   try {
     for (std::size_t l = first; l <= run.finest(); ++l) {
       if (l == first) {
-        *heated.factors = Factors(patches_from(run, l));
+        reset_factors(run.hierarchy, l);
         multigrid::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
       } else {
         multigrid::State below = multigrid::state_of(run.hierarchy, l - 1);
-        *heated.factors = Factors(patches_from(run, l), *heated.factors);
+        interpolate_factors(run.hierarchy, l);
         if (two_below.P.nodes_x() > 0)
           multigrid::start_from_two_coarser(run.hierarchy, l, two_below,
                                             reynolds::order(run.hierarchy.problem.transport.wedge));

@@ -1,4 +1,4 @@
-// An effect on the coefficients: its influence on the fluidity, on epsilon and on the mass that the wedge carries, at
+// Factors on the coefficients: their influence on the fluidity, on epsilon and on the mass that the wedge carries, at
 // the nodes and at half points.
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -28,15 +28,13 @@ Values values_of(bool thins, bool acts) {
   const core::Patch grid{core::Grid{8, nodes - 1, 0.0, 1.0, 0.0, 1.0}};
   film::Model model{.lambda = 0.3, .viscosity = rheology::Barus{5.0}, .density = rheology::make_dowson_higginson(1e9)};
   if (thins) model.thinning = rheology::ShearThinning{rheology::Eyring{}, 0.05};
-  if (acts)
-    model.effects.push_back([](const film::Station&, const film::Factors& factors) {
-      for (double& v : factors.fluidity) v *= fluidity_factor;
-      for (const std::span<double> mobility : {factors.mobility, factors.mobility_across})
-        for (double& v : mobility) v *= mobility_factor;
-      for (double& v : factors.carried) v *= carried_factor;
-    });
+  model.has_factors = acts;
+  film::FactorFields factors = film::unit_factors(grid);
+  factors.fluidity.fill(fluidity_factor);
+  for (core::Field* mobility : {&factors.mobility, &factors.mobility_across}) mobility->fill(mobility_factor);
+  factors.carried.fill(carried_factor);
   const std::vector<double> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};
-  const film::Station station{grid, 3, P, H};
+  const film::Station station{grid, 3, P, H, false, acts ? &factors : nullptr};
   film::Buffers buffers = film::make_buffers(model, nodes);
   Values v;
   const auto when = [thins](std::vector<double>& of) { return thins ? std::span<double>(of) : std::span<double>{}; };
@@ -48,7 +46,7 @@ Values values_of(bool thins, bool acts) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(an_effect_changes_fluidity_epsilon_and_flow) {
+BOOST_AUTO_TEST_CASE(factors_change_fluidity_epsilon_and_flow) {
   const Values before = values_of(false, false), behind = values_of(false, true);
   for (std::size_t k = 0; k < nodes; ++k) {
     BOOST_TEST(std::abs(behind.eps[k] / before.eps[k] - fluidity_factor * mobility_factor) < 1e-14);

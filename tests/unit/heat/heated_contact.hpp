@@ -38,8 +38,7 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
   ehl::thermal::Setup setup = base.setup(half);
   change(setup);
   ehl::steady::Scene scene = scene_of(base, setup, grid);
-  const auto factors = std::make_shared<ehl::heat::Factors>(ehl::multigrid::grids_below(half, scene.solver));
-  scene.effects = {ehl::heat::Factors::effect(factors)};
+  scene.has_factors = true;
   ehl::multigrid::Run run = ehl::steady::begin_multigrid(scene, {}, {});
   BOOST_REQUIRE((run.hierarchy.finest().grid == half));
   ehl::multigrid::full_multigrid(run);
@@ -49,7 +48,7 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
   found.Hm_cold = cold.Hm;
   ehl::thermal::FilmTemperature film(setup);
   const ehl::heat::Parameters parameters{.share = share, .error = run.record.levels.back().error_Hc};
-  found.result = ehl::heat::heat_up(run, run.finest(), film, *factors, parameters);
+  found.result = ehl::heat::heat_up(run, run.finest(), film, parameters);
   const ehl::heat::Pass& last = found.result.passes.back();
   const ehl::thermal::Balance& balance = found.result.balance;
   found.Hc = last.Hc;
