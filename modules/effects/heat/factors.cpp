@@ -13,21 +13,27 @@ void restrict_weighted(const core::Patch& fine, const core::Patch& coarse, core:
   transfer::restrict_full_weighting(coarse, from, to);
 }
 
+void restrict_to_corrector(multigrid::Level& fine, multigrid::Level& coarse) {
+  for (const auto field :
+       {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across})
+    restrict_weighted(fine.grid, coarse.grid, *fine.factors.*field, *coarse.factors.*field);
+  transfer::restrict_injection(fine.factors->carried, coarse.factors->carried);
+}
+
+// To the grids that correct levels[l].
 void restrict_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
-  for (; l > 0; --l) {
-    multigrid::Level &fine = hierarchy.levels[l], &coarse = hierarchy.levels[l - 1];
-    for (const auto field :
-         {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across})
-      restrict_weighted(fine.grid, coarse.grid, *fine.factors.*field, *coarse.factors.*field);
-    transfer::restrict_injection(fine.factors->carried, coarse.factors->carried);
+  multigrid::Level* fine = &hierarchy.levels[l];
+  while (multigrid::Level* coarse = multigrid::corrector_of(hierarchy, *fine)) {
+    restrict_to_corrector(*fine, *coarse);
+    fine = coarse;
   }
 }
 
 }  // namespace
 
 void reset_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
-  for (std::size_t k = 0; k <= l; ++k)
-    for (const auto field : film::factor_fields) (*hierarchy.levels[k].factors.*field).fill(1.0);
+  for (const auto field : film::factor_fields) (*hierarchy.levels[l].factors.*field).fill(1.0);
+  restrict_factors(hierarchy, l);
 }
 
 void interpolate_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
