@@ -155,15 +155,4 @@ FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progr
   return last;
 }
 
-// Only this function interprets the wording of `solution.method`; the rest of the program and the plots use the code.
-std::string path_code(const steady::Solution& solution) {
-  const std::string& method = solution.method;
-  const std::string later = "full multigrid, start ";
-  if (method.empty()) return "none";
-  if (method.starts_with(later)) return "full-multigrid-" + method.substr(later.size());
-  if (method.starts_with("load continuation")) return "load-continuation";
-  if (method.starts_with("Newton-Krylov after")) return "newton-after-cycles";
-  return method.starts_with("Newton") ? "newton" : "full-multigrid";
-}
-
 }  // namespace ehl::program

@@ -17,8 +17,4 @@ struct FilmSolution {
 /// errors: core::SolverError if there is nothing to show; core::Interrupted.
 FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progress);
 
-/// The strategy that led to the solution, as a code for scripts and plots: full-multigrid, full-multigrid-2 (from
-/// another start), load-continuation, newton, newton-after-cycles; none.
-std::string path_code(const steady::Solution& solution);
-
 }  // namespace ehl::program
