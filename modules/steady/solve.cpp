@@ -37,7 +37,7 @@ class Search {
  public:
   void try_strategy(const Strategy& which, const std::function<Solution()>& strategy) {
     const double began = core::now();
-    attempts_.push_back({.method = which.method, .path = which.path});
+    attempts_.push_back({.method = which.method, .reason = "", .path = which.path});
     try {
       Solution solution = strategy();
       attempts_.back().reason = solution.failed_check;
