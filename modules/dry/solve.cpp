@@ -68,6 +68,17 @@ core::Field smooth_gap(const core::Patch& grid) {
   return gap;
 }
 
+Problem ball_on_flat(const core::Patch& grid, const std::function<void(const core::Patch&, core::Field& S)>& surface) {
+  constexpr double hertz_load = 2.0 * core::pi / 3.0;  // integral of P = sqrt(1 - r^2) over the contact
+  Problem problem{.grid = grid, .gap = smooth_gap(grid), .load = hertz_load};
+  if (!surface) return problem;
+  core::Field S(grid);
+  surface(grid, S);
+  for (int i = 0; i < grid.nodes_x(); ++i)
+    for (int j = 0; j < grid.nodes_y(); ++j) problem.gap(i, j) += S(i, j);
+  return problem;
+}
+
 Solution solve(const Problem& problem, const Observer& observe) {
   const double start = core::now();
   const std::vector<core::Patch> grids = grids_of(problem);

@@ -36,6 +36,8 @@ struct Problem {
 
 /// G = X^2/2 + Y^2/2.
 core::Field smooth_gap(const core::Patch& grid);
+/// A ball with Hertz' load, 2 pi/3, and G = X^2/2 + Y^2/2 + S. in: surface: writes S; empty: smooth.
+Problem ball_on_flat(const core::Patch& grid, const std::function<void(const core::Patch&, core::Field& S)>& surface);
 
 /// One row per grid, coarse to fine.
 struct GridRow {

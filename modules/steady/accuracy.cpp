@@ -132,6 +132,7 @@ Solution refined(const Scene& finer, const Solution& coarser, const ProgressCall
   multigrid::solve_finer_levels(run, l);
   Solution solution = end_multigrid(finer, std::move(run));
   solution.method = coarser.method;
+  solution.path = coarser.path;
   solution.attempts = coarser.attempts;
   solution.continuation = coarser.continuation;
   solution.error_bars = error_bars_of(finer, solution);

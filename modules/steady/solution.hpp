@@ -29,6 +29,7 @@ struct Attempt {
   std::string method;  ///< e.g. "full multigrid", "load continuation"
   std::string reason;  ///< why it failed; empty if it led to a solution
   double seconds = 0.0;
+  std::string path{};  ///< the method as a code: "full-multigrid-2" (from the second start), "load-continuation"
 };
 
 /// One step of a load continuation, the rejected ones included.
@@ -74,6 +75,7 @@ struct Solution {
   double seconds = 0.0;
   CyclesEnd end = CyclesEnd::converged;  ///< on the finest grid
   std::string method;                    ///< the strategy that led to this result
+  std::string path = "none";             ///< the same as a code for scripts and plots (Attempt::path)
   std::vector<Attempt> attempts;
   std::vector<ContinuationStep> continuation;
   std::vector<newton::Step> newton;  ///< on the finest grid

@@ -27,12 +27,17 @@ namespace {
 /// Rough bound on the error of the domain above which two coarse solutions are made to estimate it.
 constexpr double worth_a_look = 0.01;
 
+/// The name of a strategy for readers, and its code for scripts and plots.
+struct Strategy {
+  std::string method, path;
+};
+
 /// The strategies that were tried, and the best result so far.
 class Search {
  public:
-  void try_strategy(const std::string& method, const std::function<Solution()>& strategy) {
+  void try_strategy(const Strategy& which, const std::function<Solution()>& strategy) {
     const double began = core::now();
-    attempts_.push_back({method, "", 0.0});
+    attempts_.push_back({.method = which.method, .reason = "", .path = which.path});
     try {
       Solution solution = strategy();
       attempts_.back().reason = solution.failed_check;
@@ -50,8 +55,8 @@ class Search {
   const std::optional<Solution>& best() const { return best_; }
   const std::string& last_error() const { return last_error_; }
   std::size_t attempts() const { return attempts_.size(); }
-  bool tried(const std::string& method) const {
-    return std::ranges::any_of(attempts_, [&](const Attempt& one) { return one.method == method; });
+  bool tried(const Strategy& which) const {
+    return std::ranges::any_of(attempts_, [&](const Attempt& one) { return one.path == which.path; });
   }
   /// True if no other strategy can help: solved, stopped by the deck's limit of cycles, or a mesh without a solution.
   bool over() const {
@@ -63,6 +68,7 @@ class Search {
       throw core::SolverError(
           last_error_ + "; no other strategy gave a state that can be shown: try another domain or number of cells");
     best_->method = attempts_[shown_].method;
+    best_->path = attempts_[shown_].path;
     best_->attempts = std::move(attempts_);
     return std::move(*best_);
   }
@@ -83,14 +89,14 @@ constexpr double stalled_residual = 1e-7;
 
 double nodes_of(const Scene& scene) { return static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y(); }
 
-constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
+Strategy newton_after_cycles() { return {"Newton-Krylov after the cycles", "newton-after-cycles"}; }
 
 // The cycles may find no state for the meniscus of a supply; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
   if (scene.polish == Polish::off || (scene.polish == Polish::fallback && nodes_of(scene) > most_nodes_of_newton))
     return;
   if (search.best())
-    search.try_strategy(newton_after_cycles,
+    search.try_strategy(newton_after_cycles(),
                         [&] { return refine_by_newton(scene, usual_start(), *search.best(), progress); });
 }
 
@@ -101,7 +107,7 @@ void try_newton_from(const Solution& flooded, const Scene& scene, const Progress
   if (scene.polish == Polish::off || nodes_of(scene) > most_nodes_of_newton) return;
   Solution start = flooded;
   start.history.clear();
-  search.try_strategy("Newton-Krylov from the flooded contact",
+  search.try_strategy({"Newton-Krylov from the flooded contact", "newton"},
                       [&] { return refine_by_newton(scene, usual_start(), start, progress); });
 }
 
@@ -122,8 +128,12 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     // A start for finer grids than the scene has does not differ from the earlier ones.
     if (number > 2 && start.coarseness == 0.0 && start.cells * slender > scene.grid.nx * core::stretch(scene.grid))
       return;
-    search.try_strategy(first ? "full multigrid" : "full multigrid, start " + std::to_string(number),
-                        [&] { return solve_by_multigrid(scene, start, progress); });
+    Strategy strategy{"full multigrid", "full-multigrid"};
+    if (!first) {
+      strategy.method += ", start " + std::to_string(number);
+      strategy.path += "-" + std::to_string(number);
+    }
+    search.try_strategy(strategy, [&] { return solve_by_multigrid(scene, start, progress); });
     const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
     if (!search.over() && first && scene.supply && stalls) try_newton_after_cycles(scene, progress, search);
     if (!search.over() && first && flooded != nullptr) try_newton_from(*flooded, scene, progress, search);
@@ -141,11 +151,11 @@ Solution by_full_multigrid(const Scene& scene, const ProgressCallback& progress)
 }
 
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
-  const double most = search.tried(newton_after_cycles) ? most_nodes_of_second_newton : most_nodes_of_newton;
+  const double most = search.tried(newton_after_cycles()) ? most_nodes_of_second_newton : most_nodes_of_newton;
   if (scene.polish == Polish::fallback && nodes_of(scene) > most) return;
   try_newton_after_cycles(scene, progress, search);
   if (!search.over())
-    search.try_strategy("Newton-Krylov", [&] { return solve_by_newton(scene, usual_start(), progress); });
+    search.try_strategy({"Newton-Krylov", "newton"}, [&] { return solve_by_newton(scene, usual_start(), progress); });
 }
 
 // The solution by the first strategy that succeeds. in: the flooded solution of a starved line contact, or none.
@@ -154,9 +164,9 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   std::vector<ContinuationStep> steps;
   using Path = ContinuationParameters::Path;
   const auto by_load = [&] {
-    constexpr const char* name = "load continuation";
-    if (scene.continuation.path == Path::off || search.over() || search.tried(name)) return;
-    search.try_strategy(name, [&] {
+    const Strategy strategy{"load continuation", "load-continuation"};
+    if (scene.continuation.path == Path::off || search.over() || search.tried(strategy)) return;
+    search.try_strategy(strategy, [&] {
       return solve_by_continuation(
           scene, safe_start(), [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
     });

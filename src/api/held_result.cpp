@@ -8,13 +8,12 @@
 #include "base/failure.hpp"
 #include "case/catalogue.hpp"
 #include "case/numbers/number.hpp"
-#include "commands/run_case.hpp"
 #include "core/errors.hpp"
 #include "deck/write.hpp"
-#include "report/report.hpp"
 #include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
+#include "run/pipeline.hpp"
 
 namespace ehl::program {
 namespace {
@@ -126,20 +125,16 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
     const Case& input = result.input.emplace(read());
     if (!listener) listener = [](double, const std::string&) { return true; };
     Progress progress(std::move(listener));
-    RunSettings settings{.progress = progress, .save = [](const auto&) {}};
-    try {
-      solve_case(input, settings, result.computed);
-    } catch (const core::SolverError& error) {
-      result.json = json_failure(input, error.what());
-      throw;
-    }
-    result.content = whole_content(input, result.computed);
-    result.report = printed(input, result.computed, false);
-    result.json = solver_of(input).json(input, result.computed);
-    result.warnings = told(result.computed.outcome.warnings);
+    RunSettings settings{.progress = progress};
+    solve_case(input, settings, result.computed);
+    result.json = json_of(input, result.computed);
     const Ending ending = ending_of(result.computed, "");
     result.status = ending.status;
     if (!ending.message.empty()) result.messages.push_back(ending.message);
+    if (!result.computed.unsolved.empty()) return;
+    result.content = whole_content(input, result.computed);
+    result.report = printed(input, result.computed, false);
+    result.warnings = told(result.computed.outcome.warnings);
     hold_all(result, as_kept(result));
   });
 }
@@ -147,7 +142,7 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
 void check_into(HeldResult& result, const std::function<Case()>& read) {
   guarded(result, [&] {
     const Case& input = result.input.emplace(read());
-    result.report = solver_of(input).derived(input);
+    result.report = derived_of(input);
     results::Content content;
     content.title = input.title;
     content.deck = deck::effective_deck(input.deck);

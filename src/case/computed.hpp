@@ -11,7 +11,7 @@
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
-#include "effects/roller/distribution.hpp"
+#include "effects/roller/analysis.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/solution.hpp"
 
@@ -73,10 +73,10 @@ struct HeatResult {
   heat::Solution found{};  ///< the solution except its film, which is that of the contact
   double mu = 0.0;         ///< sliding friction divided by the load
   double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< estimated relative error of mu
-  double mu_isothermal = 0.0;
+  double mu_isothermal = core::unknown;  ///< NaN as the others if the film was found from that of the previous pass
   bool unlikely = false, unlikely_isothermal = false;  ///< stress too high for an oil (friction::unlikely)
   core::Warnings friction_warnings{};                  ///< warnings about mu
-  double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
+  double Hc_isothermal = core::unknown, Hm_isothermal = core::unknown;
 };
 
 /// The fields of whichever of the two exists; nullptr if neither does.
@@ -85,23 +85,9 @@ inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
   return heat ? &heat->found.fields : (flow ? &flow->found.fields : nullptr);
 }
 
-/// The load distribution of a roller: with oil, with oil on a grid of half as many cells, and without oil.
-struct RollerResult {
-  roller::Distribution found{};
-  bool solved = true;  ///< the contact was solved; otherwise the coarser grid is not tried
-  std::optional<roller::Distribution> coarser{};
-  roller::Distribution dry{};
-  /// False if a pressure spike may still grow or lie between the nodes. The coarser grid then gives no error bars for
-  /// the highest pressures and the stresses.
-  bool pressures_settle = true;
-  /// Largest von Mises stress below the middle and below the ends, if [subsurface] is on; also on the coarser grid.
-  double mises_middle = 0.0, mises_end = 0.0;
-  double mises_middle_coarser = 0.0, mises_end_coarser = 0.0;
-  double seconds = 0.0;
-};
-
 /// The contact, and the results of each effect.
 struct Computed {
+  std::string unsolved{};       ///< why there is nothing to show; empty if there is a solution, converged or not
   steady::Solution solution{};  ///< for a dry contact only the grid, P and whether it converged
   std::optional<dry::Solution> dry{};
   Outcome outcome{};
@@ -110,7 +96,7 @@ struct Computed {
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
   std::optional<HeatResult> heat{};
-  std::optional<RollerResult> roller{};
+  std::optional<roller::Analysis> roller{};
   std::optional<HeatResult> flow{};  ///< isothermal, with [shear] flow = on
   double seconds = 0.0;              ///< computing time of the whole run
 };

@@ -10,7 +10,6 @@ namespace ehl::program {
 Effect body_effect() {
   return {.name = "body",
           .meaning = "A body with mass that moves under the load and the film: impact, rebound, vibration.",
-          .stage = Stage::unknowns,
           .sections = {{.name = "body",
                         .meaning =
                             "Equation of motion of a body, instead of a prescribed load. Used only with [transient].",

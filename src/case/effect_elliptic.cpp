@@ -12,7 +12,6 @@ Effect elliptic_effect() {
               "contacts.",
           .name_here =
               [](const Case& input) { return std::string(contact::line(input.scene.shape) ? "line" : "elliptic"); },
-          .stage = Stage::coefficients,
           .without = "circular",
           .callers = {{"contact", "kind"}, {"contact", "radius_ratio"}, {"contact", "radius_y"}},
           .on = [](const Case& input) { return !contact::circular(input.scene.shape) && !input.roller; },

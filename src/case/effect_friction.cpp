@@ -1,7 +1,6 @@
 // The effect `friction`: friction on both surfaces.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/json.hpp"
@@ -9,10 +8,9 @@
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/sliding_input.hpp"
-#include "core/norms.hpp"
 #include "deck/text.hpp"
-#include "effects/friction/beyond.hpp"
 #include "effects/friction/keys.hpp"
+#include "effects/friction/of_scene.hpp"
 #include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
@@ -110,27 +108,6 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   content.summary.push_back({"friction_warnings", deck::joined(told(friction::warnings(f)), "\n"), "", "one per line"});
 }
 
-// The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.
-double flow_of(const steady::Scene& scene, const steady::SolvedFilm& film) {
-  const core::Location highest = core::maximum(film.P);
-  double rho_bar = 1.0;
-  rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
-  return rho_bar * film.H(highest.i, highest.j);
-}
-
-// The state of the far field upstream of a line contact. Heat reduces the pressure there as a lower speed would, at the
-// same flow. The equivalent speed is the one with which the far field has the solved pressure at the first node.
-reynolds::FarState state_upstream(const reynolds::FarField& field, const steady::Scene& scene,
-                                  const steady::SolvedFilm& film) {
-  reynolds::FarState state{.H00 = film.H00, .flow = flow_of(scene, film)};
-  const double there = film.P(0, 1);
-  if (film.I0 == nullptr || there <= 0.0) return state;
-  constexpr int rounds = 30;  // fixed-point iteration; its contraction factor is alpha P, which is small in the inlet
-  for (int k = 0; k < rounds; ++k)
-    if (const double P = field.P(field.at(film.grid.X_a, 0.0), film.H(0, 1), state); P > 0.0) state.speed *= there / P;
-  return state;
-}
-
 /// What observe_friction() observes: mu and mu_rolling.
 constexpr std::size_t observed_numbers = 2;
 
@@ -138,43 +115,19 @@ friction::Parameters parameters_of(const Case& input) {
   return input.friction ? *input.friction : friction_of_contact(input.physics, input.scene);
 }
 
-Friction friction_of(friction::Parameters parameters, const steady::Scene& scene, const steady::SolvedFilm& film) {
-  friction::Film of{.grid = film.grid,
-                    .P = film.P,
-                    .H = film.H,
-                    .viscosity = scene.viscosity,
-                    .thinning = scene.thinning,
-                    .I0 = film.I0,
-                    .less_tau = film.less_tau,
-                    .load = contact::load(scene.shape),
-                    .gap = contact::gap(scene.shape),
-                    .lambda = scene.lambda,
-                    .starved = bool(scene.supply)};
-  if (!oil_outside(scene)) {
-    if (!scene.supply && std::isinf(parameters.meniscus))
-      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
-    return friction::friction_of(of, parameters);
-  }
-  const double deformation = contact::elastic_factor(scene.shape) * of.load;
-  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, film.grid});
-  friction::Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
-  if (film.grid.line) outside.state = state_upstream(field, scene, film);
-  of.outside = &outside;
-  return friction::friction_of(of, parameters);
-}
-
 }  // namespace
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
   friction::Parameters parameters = parameters_of(input);
   parameters.oblique = !input.scene.grid.line && !steady::on_one_half(input.scene);
-  friction::Friction found = friction_of(parameters, input.scene,
-                                         {.grid = solution.grid,
-                                          .P = solution.P,
-                                          .H = solution.H,
-                                          .H00 = solution.H00,
-                                          .I0 = film ? &film->I0 : nullptr,
-                                          .less_tau = film ? &film->less_tau : nullptr});
+  friction::Friction found = friction::friction_of(input.scene,
+                                                   {.grid = solution.grid,
+                                                    .P = solution.P,
+                                                    .H = solution.H,
+                                                    .H00 = solution.H00,
+                                                    .I0 = film ? &film->I0 : nullptr,
+                                                    .less_tau = film ? &film->less_tau : nullptr},
+                                                   parameters);
   if (const std::vector<double>& errors = solution.error_bars.observed; errors.size() == observed_numbers) {
     found.error_sliding = errors[0];
     found.error_rolling = errors[1];
@@ -187,7 +140,7 @@ void observe_friction(Case& input) {
   friction::Parameters parameters = parameters_of(input);
   parameters.keep_tau1 = parameters.keep_tau2 = false;
   input.scene.observer = [parameters](const steady::Scene& scene, const steady::SolvedFilm& film) {
-    const Friction found = friction_of(parameters, scene, film);
+    const Friction found = friction::friction_of(scene, film, parameters);
     return std::vector<double>{found.sliding, found.rolling};
   };
 }
@@ -199,13 +152,16 @@ Effect friction_effect() {
           .costly = {"friction", "fields"},
           .keys = friction::keys,
           .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics, input.scene); },
+          .stages = {.scene = observe_friction,
+                     .after_solution =
+                         [](const Case& input, RunSettings&, Computed& computed) {
+                           computed.friction =
+                               friction_of(input, computed.solution, fields_of_film(computed.heat, computed.flow));
+                         },
+                     .from = Extent::row},
           .on = [](const Case& input) { return input.friction.has_value(); },
           .what = what,
           .expense = expense,
-          .compute =
-              [](const Case& input, RunSettings&, Computed& computed) {
-                computed.friction = friction_of(input, computed.solution, fields_of_film(computed.heat, computed.flow));
-              },
           .summary = summary,
           .json = json,
           .add_content = add_content,

@@ -1,25 +1,21 @@
 // The effect `roller`: rollers of finite length.
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/roller_input.hpp"
 #include "case/roller_report.hpp"
-#include "core/constants.hpp"
-#include "core/errors.hpp"
-#include "core/timer.hpp"
 #include "deck/text.hpp"
 #include "effects/roller/keys.hpp"
-#include "effects/roller/scene.hpp"
-#include "steady/multigrid_solve.hpp"
-#include "steady/solve.hpp"
 
 namespace ehl::program {
+
+namespace numbers {
+Group roller_numbers();  // in numbers/contacts.cpp
+}
+
 namespace {
 
 // The filters and the roughness of a traced profile.
@@ -54,88 +50,17 @@ std::string asymmetry(const Case& input) {
 // The cost of the grid of half as many cells; that of the dry contact is small.
 Needs expense(const Case& input) { return {.seconds = basic_needs(input.scene).seconds}; }
 
-constexpr int fewest_cells = 64;  // of the coarser grid, so that the multigrid method can start on it
-
-// in: traced: the profile was measured; its roughness may prevent a solution on the coarser grid.
-std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced, RunSettings& settings) {
-  if (scene.grid.nx < 2 * fewest_cells || scene.grid.nx % 2 != 0 || scene.grid.ny % 4 != 0) return std::nullopt;
-  scene.grid = core::coarsened(scene.grid);
-  scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
-  scene.adjoint_errors = scene.error_maps = false;
-  if (scene.solver.coarsest_cells > scene.grid.nx) scene.solver.coarsest_cells = 0;
-  if (traced) scene.one_start_only = "an error bar is worth one start";
-  try {
-    steady::Solution solution = steady::solve(scene, [&](const steady::Progress& now) {
-      return settings.progress.show(now.fraction, "roller on half as many cells");
-    });
-    return solution.converged ? std::optional(std::move(solution)) : std::nullopt;
-  } catch (const core::SolverError&) {
-    return std::nullopt;
-  }
-}
-
-roller::Distribution dry_distribution(const steady::Scene& scene, bool solved) {
-  const core::Patch grid = steady::on_one_half(scene) ? core::lower_half(scene.grid) : core::Patch(scene.grid);
-  dry::Problem problem = roller::dry_problem(scene, grid);
-  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // without a film to compare with, it is coarser
-  const dry::Solution dry = dry::solve(problem);
-  return roller::distribution(dry.grid, dry.P, dry.H);
-}
-
-/// Largest von Mises stress at the nodes of the middle half of the length, and near the ends.
-struct Stresses {
-  double middle = core::unknown, end = core::unknown;
-};
-Stresses stresses_of(const subsurface::StressField& field) {
-  const auto mises = std::ranges::find(field.kept, subsurface::sigma_mises, &subsurface::Volume::quantity);
-  if (mises == field.kept.end()) return {};
-  Stresses found{0.0, 0.0};
-  for (const core::Field& plane : mises->planes)
-    for (int i = 0; i <= field.grid.nx; ++i)
-      for (int j = 0; j <= field.grid.ny; ++j) {
-        const double Y = field.grid.Y(j);
-        if (roller::near_end(field.grid, Y)) found.end = std::max(found.end, plane(i, j));
-        if (std::abs(Y) <= 0.5 * field.grid.Y_b) found.middle = std::max(found.middle, plane(i, j));
-      }
-  return found;
-}
-
-Stresses coarser_stresses(const Case& input, const steady::Solution& coarser, const subsurface::StressField& finer) {
-  subsurface::Parameters parameters = *input.subsurface;
-  parameters.friction = finer.parameters.friction;
-  parameters.most_cells = finer.grid.nx / 2;
-  parameters.kept = {subsurface::sigma_mises};
-  return stresses_of(subsurface::stress_below(coarser.grid, coarser.P, parameters, input.scene.threads));
-}
-
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
-  const double began = core::now();
-  RollerResult result{.found = roller::distribution(computed.solution.grid, computed.solution.P, computed.solution.H)};
-  result.pressures_settle = computed.solution.error_bars.P_max_converging;
-  steady::Scene scene = input.scene;  // with the grid that was found for the accuracy
-  scene.grid = computed.solution.grid;
-  scene.accuracy = {};
-  // A contact that touches is given up: its dry contact would take as long as the film.
-  if (!computed.solution.converged && !scene.one_start_only.empty())
-    result.dry.middle.P_max = result.dry.lower.P = result.dry.upper.P = core::unknown;
-  else
-    result.dry = dry_distribution(scene, computed.solution.converged);
-  // Without a solution of the contact, a coarser grid has nothing to compare with.
-  std::optional<steady::Solution> coarser;
-  result.solved = computed.solution.converged;
-  if (result.solved) coarser = on_coarser_grid(scene, input.roller->trace.rough > 0.0, settings);
-  if (coarser) result.coarser = roller::distribution(coarser->grid, coarser->P, coarser->H);
-  Stresses finer, coarse;
-  if (computed.stresses) {
-    finer = stresses_of(*computed.stresses);
-    if (coarser) coarse = coarser_stresses(input, *coarser, *computed.stresses);
+  const steady::Solution& solution = computed.solution;
+  if (settings.extent == Extent::row) {
+    computed.roller = roller::Analysis{.found = roller::distribution(solution.grid, solution.P, solution.H)};
+    return;
   }
-  result.mises_middle = finer.middle;
-  result.mises_end = finer.end;
-  result.mises_middle_coarser = coarse.middle;
-  result.mises_end_coarser = coarse.end;
-  result.seconds = core::now() - began;
-  computed.roller = std::move(result);
+  computed.roller =
+      roller::analyse(input.scene, solution, input.roller->trace.rough > 0.0,
+                      computed.stresses ? &*computed.stresses : nullptr, [&](const steady::Progress& now) {
+                        return settings.progress.show(now.fraction, "roller on half as many cells");
+                      });
 }
 
 Json json(const Case& input, const Computed& computed) {
@@ -163,15 +88,14 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 Effect roller_effect() {
   return {.name = "roller",
           .meaning = "A roller of finite length: its profile along the axis, and its tilt.",
-          .stage = Stage::coefficients,
           .sections = {{.name = "roller", .called_by = {"profile"}}},
           .keys = roller::keys,
-          .read = roller_input,
+          .numbers = numbers::roller_numbers,
+          .stages = {.scene = roller_input, .after_solution = compute, .from = Extent::row},
           .on = [](const Case& input) { return input.roller.has_value(); },
           .what = what,
           .expense = expense,
           .asymmetry = asymmetry,
-          .compute = compute,
           .summary = roller_summary,
           .json = json,
           .add_content = add_content,

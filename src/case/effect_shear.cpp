@@ -5,6 +5,7 @@
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
+#include "case/coupled_film.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/sliding_input.hpp"
@@ -13,11 +14,27 @@
 namespace ehl::program {
 namespace {
 
-void read(Case& input) {
+void enter(Case& input) {
   const std::optional<ShearInput> shear = shear_input(input.deck, input.physics);
   if (!shear) return;
   input.scene.thinning = shear->sliding;
   input.flow_thinning = shear->flow;
+  observe_friction(input);
+}
+
+// A film with heat takes the thinning by the flow into its own iteration.
+FilmSolver film(const Case& input) {
+  if (!input.flow_thinning || input.heat) return nullptr;
+  return [](const Case& one, const steady::ProgressCallback& progress, Computed& computed) {
+    thermal::Setup setup = thermal::cold_setup(one.scene.viscosity, one.scene.density);
+    setup.lambda = one.scene.lambda;
+    setup.srr = one.physics.srr;
+    setup.stress_of_P = 1.0 / stress_of_speed(one.physics);
+    setup.thinning = one.scene.thinning;
+    setup.flow_thinning = one.flow_thinning;
+    if (one.friction) setup.limit = one.friction->limit;
+    computed.flow = solve_coupled(one, setup, progress, computed.solution);
+  };
 }
 
 std::string what(const Case& input) {
@@ -77,11 +94,10 @@ Needs expense(const Case& input) {
 Effect shear_effect() {
   return {.name = "shear",
           .meaning = "Shear-thinning of the oil by sliding, in the film and in the friction.",
-          .stage = Stage::coefficients,
           .without = "Newtonian",
           .sections = {{.name = "shear", .called_by = {"law"}}},
           .keys = rheology::shear_keys,
-          .read = read,
+          .stages = {.scene = enter, .film = film},
           .on = [](const Case& input) { return input.scene.thinning.has_value(); },
           .what = what,
           .idle = idle,

@@ -56,11 +56,10 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 Effect starvation_effect() {
   return {.name = "starvation",
           .meaning = "Starved lubrication: the surfaces bring a limited amount of oil, and cavitation conserves mass.",
-          .stage = Stage::unknowns,
           .without = "fully flooded",
           .sections = {{.name = "supply", .called_by = starvation::supply_keys()}},
           .keys = starvation::keys,
-          .read = supply_input,
+          .stages = {.scene = supply_input},
           .on = [](const Case& input) { return static_cast<bool>(input.scene.supply); },
           .what = what,
           .expense = expense,

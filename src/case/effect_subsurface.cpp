@@ -12,6 +12,11 @@
 #include "effects/subsurface/keys.hpp"
 
 namespace ehl::program {
+
+namespace numbers {
+Group stress_numbers();  // in numbers/effects.cpp
+}
+
 namespace {
 
 using subsurface::Maximum;
@@ -137,11 +142,12 @@ Effect subsurface_effect() {
           .sections = {{.name = "subsurface", .called_by = {"depth"}}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,
+          .numbers = numbers::stress_numbers,
           .read = read,
+          .stages = {.after_solution = compute},
           .on = [](const Case& input) { return input.subsurface.has_value(); },
           .what = what,
           .expense = expense,
-          .compute = compute,
           .summary = summary,
           .json = json,
           .add_content = add_content,

@@ -64,7 +64,7 @@ Needs expense(const Case& input) {
   if (!input.transient)
     return {.bytes = nodes * sizeof(double) * fields_at_rest,
             .seconds = asymmetry(input).empty() ? 0.0 : basic_needs(input.scene).seconds};
-  const Needs one_half = transient_effect().expense(input);
+  const Needs one_half = expense_in_time(input);
   Needs more{.bytes = nodes * sizeof(double), .seconds = share_of_a_step * one_half.seconds};
   if (asymmetry(input).empty()) return more;
   constexpr double doubles_of_history = 30.0;  // the same value as in effect_transient.cpp
@@ -98,7 +98,6 @@ Effect surfaces_effect() {
   return {
       .name = "surfaces",
       .meaning = "Shapes on a surface that move through the contact in time, or stand still in a steady contact.",
-      .stage = Stage::coefficients,
       .without = "smooth",
       .sections =
           {{.name = "surface1",
@@ -106,6 +105,10 @@ Effect surfaces_effect() {
             .called_by = {"shape"}},
            {.name = "surface2", .meaning = "Shape on surface 2, as for [surface1].", .called_by = {"shape"}}},
       .keys = surface::keys,
+      .stages = {.scene =
+                     [](Case& input) {
+                       if (!input.transient) let_stand(input.surfaces, input.scene);
+                     }},
       .on = [](const Case& input) { return !carried(input.surfaces).empty(); },
       .what = what,
       .expense = expense,

@@ -6,6 +6,7 @@
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
+#include "case/coupled_film.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/thermal_report.hpp"
@@ -20,6 +21,12 @@ void read(Case& input) {
   const double limit = input.friction ? input.friction->limit : std::numeric_limits<double>::infinity();
   input.heat = thermal_input(input.deck, input.physics, input.scene, limit);
   if (input.heat) input.heat->setup.flow_thinning = input.flow_thinning;
+}
+
+FilmSolver film(const Case&) {
+  return [](const Case& input, const steady::ProgressCallback& progress, Computed& computed) {
+    computed.heat = solve_coupled(input, input.heat->setup, progress, computed.solution);
+  };
 }
 
 std::string name_of_solid(const Case& input, const char* key) {
@@ -100,7 +107,6 @@ Json json(const Case& input, const Computed& computed) {
 Effect thermal_effect() {
   return {.name = "thermal",
           .meaning = "Heat in the film and in the bodies, and its effect on the film.",
-          .stage = Stage::coefficients,
           .without = "isothermal",
           .sections = {{.name = "thermal", .called_by = {"T_oil", "solid1", "solid2"}}},
           .costly = {"thermal", "nodes"},
@@ -109,6 +115,7 @@ Effect thermal_effect() {
                 return deck::together({rheology::warm_oil_keys(), thermal::keys()});
               },
           .read = read,
+          .stages = {.scene = observe_friction, .film = film},
           .on = [](const Case& input) { return input.heat.has_value(); },
           .what = what,
           .expense = expense,

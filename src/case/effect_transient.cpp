@@ -37,7 +37,9 @@ bool is_rough(const Case& input) {
   return std::ranges::any_of(carried(input.surfaces), comes);
 }
 
-Needs expense(const Case& input) {
+}  // namespace
+
+Needs expense_in_time(const Case& input) {
   // Per node of the whole domain, for a contact that is symmetric in Y. [bench: needs_in_time]
   constexpr double doubles_of_history = 30.0;  // IDA's history of P and Q
   constexpr double doubles_of_frame = 5.0;     // P, H and their copies in the file
@@ -63,12 +65,11 @@ Needs expense(const Case& input) {
                      frames * nodes * seconds_per_node_and_frame};
 }
 
+namespace {
+
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   if (!computed.solution.converged) return;
-  computed.in_time = run_transient(
-      input, computed.solution, settings.progress, std::move(settings.before), [&](const TransientResult& so_far) {
-        settings.save([&](results::Content& content) { add_transient(input, so_far, content); });
-      });
+  computed.in_time = run_transient(input, computed.solution, settings);
 }
 
 }  // namespace
@@ -76,15 +77,14 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 Effect transient_effect() {
   return {.name = "transient",
           .meaning = "Time-dependent contact, from the steady solution at time 0.",
-          .stage = Stage::unknowns,
           .without = "steady",
           .sections = {{.name = "transient", .called_by = {"end_time"}}},
           .costly = {"transient", "output_interval"},
           .keys = transient::keys,
+          .stages = {.in_time = compute},
           .on = [](const Case& input) { return input.transient.has_value(); },
           .what = what,
-          .expense = expense,
-          .compute = compute,
+          .expense = expense_in_time,
           .summary =
               [](const Case& input, const Computed& computed) {
                 return computed.in_time ? transient_summary(input, *computed.in_time) : "";

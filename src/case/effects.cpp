@@ -16,7 +16,8 @@ namespace {
 
 using core::unknown;
 
-std::vector<Effect> completed(std::vector<Effect> all) {
+std::vector<Effect> completed() {
+  std::vector<Effect> all = listed_effects();
   for (Effect& effect : all)
     for (deck::Section& section : effect.sections) {
       section.effect = effect.name;
@@ -39,14 +40,14 @@ std::string cost(const Needs& more) {
   return text + " more";
 }
 
-const char* where(Stage stage) {
-  switch (stage) {
-    case Stage::coefficients: return "on the coefficients of the film";
-    case Stage::after_relaxation: return "after a relaxation";
-    case Stage::unknowns: return "by unknowns of its own";
-    case Stage::after_solution: break;
-  }
-  return "after the solution";
+// The stages at which the pipeline calls the effect.
+std::string stages_text(const Case& input, const Effect& effect) {
+  std::vector<std::string> texts;
+  if (effect.stages.scene) texts.push_back("in the scene that is solved");
+  if (effect.stages.film && effect.stages.film(input)) texts.push_back("by equations that are solved with the film");
+  if (effect.stages.in_time) texts.push_back("by a run in time from the steady contact");
+  if (effect.stages.after_solution) texts.push_back("after the solution");
+  return texts.empty() ? "" : "acts " + deck::joined(texts, " and ") + ", ";
 }
 
 // Which part of the domain is computed; if it is the whole domain, the reason.
@@ -69,15 +70,15 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 }  // namespace
 
 const std::vector<Effect>& effects() {
-  static const std::vector<Effect> all =
-      completed({elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
-                 starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect(), roller_effect()});
+  static const std::vector<Effect> all = completed();
   return all;
 }
 
 void read_effects(Case& input) {
-  for (const Effect& effect : effects())
+  for (const Effect& effect : effects()) {
     if (effect.read) effect.read(input);
+    if (effect.stages.scene) effect.stages.scene(input);
+  }
 }
 
 std::vector<Effect> effects_of(const Case& input) {
@@ -92,8 +93,7 @@ std::vector<std::string> basic_model(const Case& input) {
   std::vector<std::string> words;
   for (const Effect& effect : effects())
     if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
-  // A roller is neither circular nor elliptic; its own effect describes it.
-  if (input.roller) std::erase(words, elliptic_effect().without);
+  if (input.roller) std::erase(words, "circular");  // nor is it elliptic; its own effect describes it
   return words;
 }
 
@@ -132,7 +132,7 @@ std::string effect_lines(const Case& input) {
   for (const Effect& effect : on) {
     text += (text.empty() ? "effects      " : "             ") + effect.name + ": " + effect.what(input) + "\n";
     text += "               enabled by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
-    text += std::string("               acts ") + where(effect.stage) + ", costs " +
+    text += "               " + stages_text(input, effect) + "costs " +
             (effect.expense ? cost(effect.expense(input)) : "no noticeable time") + "\n";
   }
   if (input.dry) return text;

@@ -3,9 +3,9 @@
 // effect comes from this list: its sections of the deck and their help, `ehl check`, the run, the table of times, the
 // JSON, the result. For an effect that is off, only `on` is called (and `read`, which reads the deck).
 //
-// To add an effect, write a file effect_<name>.cpp with its record, declare it below, and add it to
-// effects(). `read` stores the settings of its section of the deck in the case: in the scene, or in an
-// optional of its own in Case (scene.hpp).
+// To add an effect, write a file effect_<name>.cpp with its record, and name it in effect_list.cpp. Its settings stand
+// in the deck, in the scene, or in an optional of its own in Case (scene.hpp); its result in one in Computed
+// (computed.hpp).
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -21,11 +21,26 @@
 
 namespace ehl::program {
 
-/// The settings of a run.
+namespace numbers {
+struct Group;
+}
+
+/// How much is computed of a case; each extent includes those before it.
+enum class Extent {
+  film,     ///< the steady contact alone, for a point of a study
+  row,      ///< numbers for a row of a table, if the contact converged
+  contact,  ///< all that belongs to the steady contact
+  whole,    ///< also the run in time
+};
+
+/// What the caller of the pipeline (run/pipeline.hpp) asks for, and what it is told on the way.
 struct RunSettings {
   Progress& progress;
+  Extent extent = Extent::whole;
   TransientResult before{};  ///< an earlier run in time; if it has a checkpoint, the run continues from there
-  /// Writes the result so far: the content of the contact, and what `add` adds to it.
+  /// Takes the fields of a run in time instead of the result. Empty: the result keeps them.
+  std::function<void(transient::Frame&& frame)> frame{};
+  /// Writes the result so far: the content of the contact, and what `add` adds to it. Empty: nothing is written.
   std::function<void(const std::function<void(results::Content& content)>& add)> save{};
 };
 
@@ -34,34 +49,42 @@ struct KeyName {
   std::string name{};
 };
 
-/// The part of the solution that an effect acts on.
-enum class Stage {
-  coefficients,      ///< on the coefficients of the film equations: gap, viscosity, density
-  after_relaxation,  ///< on quantities that follow the pressure from sweep to sweep
-  unknowns,          ///< the effect has unknowns of its own, or steps in time
-  after_solution     ///< on nothing: the effect is computed from P and H afterwards
+/// Solves the film of a case into computed.solution.
+using FilmSolver = void (*)(const Case& input, const steady::ProgressCallback& progress, Computed& computed);
+
+/// The stages at which the pipeline calls an effect, in the order of the calls. What is not set is not called.
+struct Stages {
+  /// When the deck is read: makes the effect a part of the scene that is solved. Also if the effect is off.
+  void (*scene)(Case& input) = nullptr;
+  /// The solver that takes the place of steady::solve(), for an effect with equations that are solved together with the
+  /// film; nullptr if it has none in this case.
+  FilmSolver (*film)(const Case& input) = nullptr;
+  /// Continues the steady solution in time.
+  void (*in_time)(const Case& input, RunSettings& settings, Computed& computed) = nullptr;
+  /// Computes what follows from the solution.
+  void (*after_solution)(const Case& input, RunSettings& settings, Computed& computed) = nullptr;
+  Extent from = Extent::contact;  ///< the smallest extent with after_solution
 };
 
-/// One effect. A function that is not set does nothing. All functions except `read` and `on` are called
-/// only if the effect is on.
+/// One effect. A function that is not set does nothing. All functions except `read`, `on` and the stage `scene` are
+/// called only if the effect is on.
 struct Effect {
   std::string name{};
   std::string meaning{};
   std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, if that differs from `name`
-  Stage stage = Stage::after_solution;
   std::string without{};                                  ///< the basic model without this effect: "steady"
   std::vector<deck::Section> sections{};                  ///< sections of the deck that belong to this effect alone
   std::vector<KeyName> callers{};                         ///< keys that enable it; effects() adds those of sections
   KeyName costly{};                                       ///< key that determines its memory; empty: first caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: the keys are declared by another module
+  numbers::Group (*numbers)() = nullptr;                  ///< its numbers in the registry, behind those of the registry
   void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports its errors; scene exists
+  Stages stages{};                                        ///< when the pipeline calls it
   bool (*on)(const Case& input) = nullptr;                ///< must be set
   std::string (*what)(const Case& input) = nullptr;       ///< describes the effect in this case; must be set
   std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence here; empty if it has one
   Needs (*expense)(const Case& input) = nullptr;          ///< the cost in addition to the case without the effect
   std::string (*asymmetry)(const Case& input) = nullptr;  ///< why it breaks the symmetry in Y; empty if not
-  void (*compute)(const Case& input, RunSettings& settings,
-                  Computed& computed) = nullptr;  ///< called after the steady contact is solved
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
   nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< JSON member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
@@ -69,6 +92,9 @@ struct Effect {
   std::vector<std::string> example{};                     ///< overrides that enable it in a deck with M and L
   std::string upon{};                                     ///< another effect that the example requires
 };
+
+/// The records of all effects (effect_list.cpp).
+std::vector<Effect> listed_effects();
 
 /// All effects, in the order of computation and of printing. A section without a meaning of its
 /// own gets that of its effect.
@@ -80,18 +106,8 @@ std::vector<Effect> effects_of(const Case& input);
 /// Reads the settings of every effect into the case. Errors are added to its deck.
 void read_effects(Case& input);
 
-/// The entries of the list, one per file effect_<name>.cpp.
-Effect elliptic_effect();
-Effect roller_effect();
-Effect transient_effect();
-Effect body_effect();
-Effect surfaces_effect();
-Effect shear_effect();
-Effect starvation_effect();
-Effect subsurface_effect();
-Effect friction_effect();
-Effect thermal_effect();
-
+/// The cost of a run in time.
+Needs expense_in_time(const Case& input);
 /// The friction of a solution, as the case asks for it, else without the cavitated region. in: film: the temperature
 /// and viscosity fields of heat or flow thinning, or nullptr.
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);

@@ -49,7 +49,7 @@ std::string place_text(double Y, const Physics& physics) {
 const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
 double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
 
-RollerBars bars_of(const RollerResult& result) {
+RollerBars bars_of(const roller::Analysis& result) {
   if (!result.coarser) return {};
   const Distribution& found = result.found;
   const Distribution& coarser = *result.coarser;
@@ -57,8 +57,8 @@ RollerBars bars_of(const RollerResult& result) {
   if (!result.pressures_settle) return bars;
   bars.P_middle = bar_of_highest(found.middle.P_max, coarser.middle.P_max);
   bars.P_end = bar_of_highest(harder(found).P, harder(coarser).P);
-  bars.mises_middle = bar_of_highest(result.mises_middle, result.mises_middle_coarser);
-  bars.mises_end = bar_of_highest(result.mises_end, result.mises_end_coarser);
+  bars.mises_middle = bar_of_highest(result.mises.middle, result.mises_coarser.middle);
+  bars.mises_end = bar_of_highest(result.mises.end, result.mises_coarser.end);
   return bars;
 }
 
@@ -85,7 +85,7 @@ core::Warnings edge_warnings(const Distribution& found) {
                                       100.0 * at_ends)}};
 }
 
-core::Warnings roller_warnings(const RollerResult& result) {
+core::Warnings roller_warnings(const roller::Analysis& result) {
   core::Warnings warnings = edge_warnings(result.found);
   if (!result.coarser)
     warnings.push_back(
@@ -97,7 +97,7 @@ core::Warnings roller_warnings(const RollerResult& result) {
 }
 
 std::string roller_summary(const Case& input, const Computed& computed) {
-  const RollerResult& result = *computed.roller;
+  const roller::Analysis& result = *computed.roller;
   const Distribution& found = result.found;
   const Physics& physics = input.physics;
   const End& end = harder(found);
@@ -117,10 +117,10 @@ std::string roller_summary(const Case& input, const Computed& computed) {
     if (physics.si) text += fmt::format(", moment {:.4g} N m", moment_Nm(input, found));
     text += "\n";
   }
-  if (std::isfinite(result.mises_end))
+  if (std::isfinite(result.mises.end))
     text += fmt::format("             von Mises below the middle {}{}, below the ends {}{}\n",
-                        pressure_text(result.mises_middle, physics), with_bar(bars.mises_middle),
-                        pressure_text(result.mises_end, physics), with_bar(bars.mises_end));
+                        pressure_text(result.mises.middle, physics), with_bar(bars.mises_middle),
+                        pressure_text(result.mises.end, physics), with_bar(bars.mises_end));
   return text + warning_lines(roller_warnings(result));
 }
 

@@ -15,7 +15,7 @@ struct RollerBars {
   double P_middle = core::unknown, P_end = core::unknown, H_end = core::unknown;
   double mises_middle = core::unknown, mises_end = core::unknown;
 };
-RollerBars bars_of(const RollerResult& result);
+RollerBars bars_of(const roller::Analysis& result);
 /// The end with the higher pressure, and the least film of both.
 const roller::End& harder(const roller::Distribution& found);
 double least_at_ends(const roller::Distribution& found);
@@ -26,7 +26,7 @@ std::vector<Column<roller::Slice>> slice_columns();
 /// these are the only warnings about a roller.
 core::Warnings edge_warnings(const roller::Distribution& found);
 /// All warnings about a roller, and its part of the summary.
-core::Warnings roller_warnings(const RollerResult& result);
+core::Warnings roller_warnings(const roller::Analysis& result);
 std::string roller_summary(const Case& input, const Computed& computed);
 
 }  // namespace ehl::program

@@ -219,9 +219,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   read_errors(result, motion == Motion::steady);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
-  if (!result.transient) let_stand(result.surfaces, scene);
   read_effects(result);
-  observe_friction(result);
   if (contact::roller(groups.shape)) refuse_beyond_roller(deck);
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {

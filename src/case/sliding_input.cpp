@@ -6,6 +6,7 @@
 #include <string>
 
 #include "effects/friction/keys.hpp"
+#include "effects/friction/of_scene.hpp"
 #include "rheology/shear_keys.hpp"
 
 namespace ehl::program {
@@ -54,7 +55,7 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
   }
   if (scene.supply)
     friction.complain(given[0], "is not available for a starved contact, whose meniscus is computed: remove it");
-  else if (!oil_outside(scene) && distance > -scene.grid.X_a)
+  else if (!friction::oil_outside(scene) && distance > -scene.grid.X_a)
     friction.complain(given[0],
                       fmt::format("lies outside the domain, which ends at {:g} Hertz radii; the gap there is known "
                                   "only with far_field = closed. {}",
@@ -67,8 +68,6 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
 }
 
 }  // namespace
-
-bool oil_outside(const steady::Scene& scene) { return scene.far_field && !scene.supply; }
 
 double stress_of_speed(const Physics& physics) { return physics.groups.lambda * physics.a_over_R / 12.0; }
 
@@ -106,7 +105,7 @@ std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) 
 friction::Parameters friction_of_contact(const Physics& physics, const steady::Scene& scene) {
   friction::Parameters parameters{
       .stress = stress_of_sliding(physics), .slope = physics.a_over_R, .cavitated = friction::Cavitated::none};
-  if (oil_outside(scene) && !scene.grid.line)
+  if (friction::oil_outside(scene) && !scene.grid.line)
     parameters.meniscus = 1.0 / (2.0 * contact::gap(scene.shape).XX * physics.a_over_R);
   return parameters;
 }

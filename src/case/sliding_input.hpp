@@ -29,9 +29,6 @@ struct ShearInput {
 /// The thinning by sliding, k = eta_0 (u1 - u2) R/(a^2 tau_c), and by the pressure flow if [shear] flow = on.
 std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 
-/// True if the far field continues outside the domain, and the gap is full of oil there.
-bool oil_outside(const steady::Scene& scene);
-
 /// The parameters of [friction]; nothing if the deck has no [friction] or has errors. in: the scene, complete except
 /// for effects after the solution.
 std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics,

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/signals.hpp"
+#include "case/effects.hpp"
 #include "case/numbers/names.hpp"
 #include "case/transient_input.hpp"
 #include "core/errors.hpp"
@@ -124,9 +125,8 @@ std::string how_it_ended(const transient::MarchReport& report) {
   return "";
 }
 
-TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
-                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save) {
-  TransientResult result = std::move(before);
+TransientResult run_transient(const Case& input, const steady::Solution& start, RunSettings& settings) {
+  TransientResult result = std::move(settings.before);
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
   result.report.end = MarchEnd::interrupted;  // until the run has ended
@@ -138,15 +138,20 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
-            return progress.show(row.T / march.parameters.end, text_of(input, row));
+            return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
           },
-      .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
-      .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },
+      .frame =
+          [&](transient::Frame&& frame) {
+            if (settings.frame) return settings.frame(std::move(frame));
+            result.frames.push_back(std::move(frame));
+          },
+      .wants_checkpoint = [&] { return settings.save && core::now() - saved > march.seconds_between_checkpoints; },
       .checkpoint =
           [&](transient::Checkpoint&& checkpoint) {
             result.checkpoint = std::move(checkpoint);
             total(result);
-            if (!stop_requested()) save(result);
+            if (settings.save && !stop_requested())
+              settings.save([&](results::Content& content) { add_transient(input, result, content); });
             saved = core::now();
           }};
   result.report =

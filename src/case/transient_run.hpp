@@ -1,17 +1,17 @@
 #pragma once
 // Computes a run in time and collects its results: numbers at every step, and fields at the times asked for.
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "case/scene.hpp"
 #include "results/content.hpp"
 #include "results/read.hpp"
 #include "transient/march.hpp"
 
 namespace ehl::program {
+
+struct RunSettings;
 
 struct TransientResult {
   std::vector<transient::StepRow> rows{};
@@ -20,11 +20,10 @@ struct TransientResult {
   std::optional<transient::Checkpoint> checkpoint{};  ///< where an incomplete run continues; else empty
 };
 
-/// Starts from the steady solution of the case or, if `before` has a checkpoint, continues from there and keeps
-/// its results. save: is called with the results so far at every checkpoint. errors: core::SolverError if the
-/// state at time 0 is not found.
-TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
-                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save);
+/// Starts from the steady solution of the case or, if settings.before has a checkpoint, continues from there and keeps
+/// its results. The results so far are saved at every checkpoint. errors: core::SolverError if the state at time 0 is
+/// not found.
+TransientResult run_transient(const Case& input, const steady::Solution& start, RunSettings& settings);
 
 /// True if the run reached its end: the end time, or the event at which the deck lets it stop.
 bool completed(const TransientResult& result);
@@ -38,8 +37,6 @@ std::string why_incomplete(const std::optional<TransientResult>& result);
 
 /// The printed summary.
 std::string transient_summary(const Case& input, const TransientResult& result);
-
-/// The summary as a JSON object.
 
 /// Adds /transient, and /checkpoint if there is one, to the content of a result file. The content points into `result`.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);

@@ -7,13 +7,12 @@
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "commands/commands.hpp"
-#include "commands/run_case.hpp"
 #include "core/errors.hpp"
 #include "deck/document.hpp"
-#include "report/report.hpp"
 #include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
+#include "run/pipeline.hpp"
 
 namespace ehl::program {
 namespace {
@@ -41,47 +40,28 @@ Destination destination(const Arguments& arguments, const Case& input) {
   return to;
 }
 
-int fail_without_solution(const Arguments& arguments, const Case& input, const std::string& reason,
-                          const std::string& kept) {
-  if (arguments.has("json")) print(json_failure(input, reason));
-  std::fprintf(stderr, "ehl: not converged: %s\nehl: %s\n", reason.c_str(), kept.c_str());
-  return not_converged;
-}
-
 // Solves the case, saves the result and prints the report.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
   Computed computed;
-  bool overwrite = to.overwrite, saved = false;
-  const auto write = [&](const results::Content& content) {
-    results::write(to.path, content, overwrite);
-    overwrite = saved = true;
-  };
-  const auto save_so_far = [&](const std::function<void(results::Content & content)>& add) {
-    results::Content content = solver_of(input).content(input, computed);
-    add(content);
-    write(content);
-  };
-  try {
+  std::string held;
+  {
     Progress progress(arguments.has("quiet"));
-    RunSettings settings{.progress = progress, .before = std::move(before), .save = save_so_far};
-    solve_case(input, settings, computed);
-  } catch (const core::SolverError& error) {
-    // A run in time has already saved more than this, and a file that was to be continued must not be changed.
-    if (to.is_completed || saved)
-      return fail_without_solution(arguments, input, error.what(), to.path + " contains the run so far");
-    const results::Content content = content_without_solution(input, computed, error.what());
-    write(content);
-    return fail_without_solution(
-        arguments, input, error.what(),
-        to.path + (content.fields.empty() ? " contains the deck and this reason, but no film"
-                                          : " contains the last film, marked as not converged"));
+    RunSettings settings{.progress = progress, .before = std::move(before)};
+    bool overwrite = to.overwrite;
+    held = solve_and_save(input, std::move(settings), computed, to.is_completed, [&](const results::Content& content) {
+      results::write(to.path, content, overwrite);
+      overwrite = true;
+    });
   }
   // The file is written before the report is printed: standard output may be full or closed.
-  write(whole_content(input, computed));
-  print(arguments.has("json") ? solver_of(input).json(input, computed)
-                              : printed(input, computed, arguments.has("profile")) + "result       " + to.path + "\n");
+  const bool is_solved = computed.unsolved.empty();
+  if (arguments.has("json"))
+    print(json_of(input, computed));
+  else if (is_solved)
+    print(printed(input, computed, arguments.has("profile")) + "result       " + to.path + "\n");
   const Ending ending = ending_of(computed, "ehl resume " + to.path);
   if (!ending.message.empty()) std::fprintf(stderr, "ehl: %s\n", ending.message.c_str());
+  if (!is_solved) std::fprintf(stderr, "ehl: %s contains %s\n", to.path.c_str(), held.c_str());
   return ending.status;
 }
 
@@ -124,7 +104,7 @@ int resume(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.overrides(), requested_threads(arguments));
-  print(solver_of(input).derived(input));
+  print(derived_of(input));
   return solved;
 }
 

@@ -122,15 +122,6 @@ bool has_film(const steady::Solution& solution) { return !solution.levels.empty(
 
 bool is_finite(const Outcome& outcome) { return std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value); }
 
-Computed computed_of(const Case& input, FilmSolution&& found) {
-  Computed computed;
-  computed.solution = std::move(found.film);
-  computed.heat = std::move(found.heat);
-  computed.flow = std::move(found.flow);
-  if (has_film(computed.solution)) computed.outcome = outcome_of(input, computed.solution);
-  return computed;
-}
-
 const char* name(reynolds::Wedge wedge) {
   switch (wedge) {
     case reynolds::Wedge::upstream1: return "upstream1";

@@ -3,15 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "case/film_solution.hpp"
+#include "case/computed.hpp"
 #include "case/scene.hpp"
 
 namespace ehl::program {
 
 /// Film, pressure, their places, formulas, roughness and warnings of a solution; in SI if the case has scales.
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
-/// A solution with its main numbers, which it has if there is a film.
-Computed computed_of(const Case& input, FilmSolution&& found);
 bool has_film(const steady::Solution& solution);
 bool is_finite(const Outcome& outcome);
 

@@ -10,10 +10,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "case/effects.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/result_content.hpp"
 #include "results/collection.hpp"
 #include "results/write.hpp"
 
@@ -46,15 +44,7 @@ std::string name_of_kept(const std::string& table) {
 
 std::string journal_of_kept(const std::string& table) { return name_of_kept(table) + ".part"; }
 
-std::string kept_result(const Case& input, Computed& computed) {
-  computed.derived = derived_fields(input, computed.solution);
-  Progress silent(true);
-  RunSettings settings{.progress = silent, .save = [](const auto&) {}};
-  for (const Effect& effect : effects_of(input))
-    // Effects in time are not computed in a sweep.
-    if (effect.compute && effect.stage != Stage::unknowns) effect.compute(input, settings, computed);
-  results::Content content = result_content(input, computed);
-  add_effects(input, computed, content);
+std::string image_of(const results::Content& content) {
   const std::vector<std::byte> image = results::image("the result of a case", content);
   return {reinterpret_cast<const char*>(image.data()), image.size()};
 }

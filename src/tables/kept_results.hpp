@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "case/film_solution.hpp"
+#include "results/content.hpp"
 
 namespace ehl::program {
 
@@ -16,10 +16,8 @@ std::string name_of_kept(const std::string& table);
 /// The name of its journal, "t.h5.part".
 std::string journal_of_kept(const std::string& table);
 
-/// The result file of a case, in memory: what `ehl run` writes for a steady contact. in: computed:
-/// a solution with finite films, to which the effects are added.
-/// errors: core::SolverError from an effect that is computed after the film.
-std::string kept_result(const Case& input, Computed& computed);
+/// The result file of a case, in memory: what `ehl run` writes for a steady contact.
+std::string image_of(const results::Content& content);
 
 class KeptResults {
  public:

@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "base/machine.hpp"
-#include "case/film_solution.hpp"
 #include "case/numbers/number.hpp"
-#include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "run/pipeline.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -94,12 +93,12 @@ StudyPoint measure(Case input, const StudyCase& variant) {
   point.status = "not-converged";
   point.nx = input.scene.grid.nx;
   point.ny = input.scene.grid.ny;
+  Progress silent(true);
+  RunSettings settings{.progress = silent, .extent = Extent::film};
+  Computed computed;
   const double began = core::now();
-  try {
-    take(solve_film(input, {}).film, point);
-  } catch (const core::SolverError& error) {
-    point.reason = error.what();
-  }
+  solve_case(input, settings, computed);
+  take(computed.solution, point);
   point.seconds = point.seconds_most = core::now() - began;
   point.peak_memory = peak_memory();
   return point;

@@ -16,6 +16,7 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "report/outcome.hpp"
+#include "run/pipeline.hpp"
 #include "tables/kept_results.hpp"
 #include "tables/sweep_table.hpp"
 #include "tables/warning_names.hpp"
@@ -59,13 +60,19 @@ SweepRow solved_row(const SweepHeader& sweep, const std::vector<std::string>& ov
     input = read_lubricated_case(sweep.deck, overrides, 1, "sweep");
     check_unchanged(input->files, sweep.files);
     input->scene.accuracy.most_nodes /= sweep.at_once;
-    const auto show = [&](const steady::Progress& now) {
-      say(fmt::format("{} x {}, residual {:.1e}", now.nx + 1, now.ny + 1, now.residual));
+    Progress progress([&](double, const std::string& text) {
+      say(text);
       return true;
-    };
-    Computed computed = computed_of(*input, solve_film(*input, show));
+    });
+    RunSettings settings{.progress = progress, .extent = Extent::row};
+    Computed computed;
+    solve_case(*input, settings, computed);
     const SweepRow row = row_of_solution(sweep.columns, *input, computed);
-    if (kept != nullptr && has_film(computed.solution)) *kept = kept_result(*input, computed);
+    if (kept != nullptr && has_film(computed.solution)) {
+      settings.extent = Extent::contact;
+      if (computed.unsolved.empty()) compute_effects(*input, settings, computed);
+      *kept = image_of(whole_content(*input, computed));
+    }
     return row;
   } catch (const core::InputError& error) {
     return without_solution("refused", wrong_input, deck::joined(error.messages(), "; "));
@@ -102,7 +109,7 @@ SweepRow row_without_solution(SweepRow row, const std::string& status, int exit_
   return row;
 }
 
-SweepRow row_of_solution(const SweepColumns& columns, const Case& input, Computed& computed) {
+SweepRow row_of_solution(const SweepColumns& columns, const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   SweepRow row = sweep_row(columns);
   fill_case(columns, input, row);
@@ -110,14 +117,8 @@ SweepRow row_of_solution(const SweepColumns& columns, const Case& input, Compute
   core::Warnings warnings = computed.outcome.warnings;
   const auto warn = [&](const core::Warnings& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
   if (solution.converged && is_finite(computed.outcome)) {
-    if (input.friction) {
-      computed.friction = friction_of(input, solution, fields_of_film(computed.heat, computed.flow));
-      warn(friction::warnings(*computed.friction));
-    }
-    if (input.roller) {
-      computed.roller = RollerResult{.found = roller::distribution(solution.grid, solution.P, solution.H)};
-      warn(edge_warnings(computed.roller->found));
-    }
+    if (computed.friction) warn(friction::warnings(*computed.friction));
+    if (computed.roller) warn(edge_warnings(computed.roller->found));
     if (computed.heat) warn(thermal_warnings(input, *computed.heat));
     fill(columns, Known::converged, input, computed, row);
     in_row(row, id::status) = "converged";

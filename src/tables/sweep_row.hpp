@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/film_solution.hpp"
+#include "case/computed.hpp"
 #include "case/numbers/number.hpp"
 #include "results/content.hpp"
 
@@ -34,9 +34,8 @@ results::Value& in_row(SweepRow& row, const std::string& name);
 SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
                     const std::function<void(const std::string&)>& say, std::string* kept = nullptr);
 
-/// The row of a solved case, converged or not. in: the columns, the case, its solution, to which the friction and the
-/// roller are added.
-SweepRow row_of_solution(const SweepColumns& columns, const Case& input, Computed& computed);
+/// The row of a case, converged or not. in: the columns; the case, computed to Extent::row.
+SweepRow row_of_solution(const SweepColumns& columns, const Case& input, const Computed& computed);
 
 /// The row of a case without a solution.
 SweepRow row_without_solution(SweepRow row, const std::string& status, int exit_status, const std::string& reason);

@@ -8,12 +8,11 @@
 
 #include "base/machine.hpp"
 #include "case/numbers/number.hpp"
-#include "case/transient_run.hpp"
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"
 #include "judgement/measures.hpp"
-#include "steady/solve.hpp"
+#include "run/pipeline.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -124,20 +123,20 @@ TimeStudyPoint measure_in_time(Case input, const TimeVariant& variant, int sampl
   march.rtol = variant.rtol;
   march.longest_step = variant.longest_step;
   march.output_interval = samples > 0 ? march.end / samples : transient::MarchParameters::none;
-  transient::Observer observer;
-  if (samples > 0)
-    observer.frame = [&](transient::Frame&& frame) {
-      // If the run ends early, its last frame may lie between two times of comparison; that frame is ignored.
-      const double parts = frame.T / march.output_interval;
-      if (std::abs(parts - std::round(parts)) < rounding * samples) point.samples.push_back(sample_of(input, frame));
-    };
-  try {
-    const steady::Solution start = steady::solve(input.scene);
-    if (!start.converged) throw core::SolverError("the steady start did not converge: " + start.failed_check);
-    take(transient::march(input.scene, start, input.transient->conditions, march, observer), point);
-  } catch (const core::SolverError& error) {
-    point.reason = error.what();
-  }
+  Progress silent(true);
+  RunSettings settings{.progress = silent};
+  settings.frame = [&](transient::Frame&& frame) {
+    // If the run ends early, its last frame may lie between two times of comparison; that frame is ignored.
+    const double parts = frame.T / march.output_interval;
+    if (std::abs(parts - std::round(parts)) < rounding * samples) point.samples.push_back(sample_of(input, frame));
+  };
+  Computed computed;
+  solve_case(input, settings, computed);
+  if (computed.in_time)
+    take(computed.in_time->report, point);
+  else
+    point.reason =
+        (computed.unsolved.empty() ? "the steady start did not converge: " : "") + computed.solution.failed_check;
   point.peak_memory = peak_memory();
   return point;
 }

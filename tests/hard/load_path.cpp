@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
   BOOST_TEST(direct.method == "full multigrid");
   BOOST_TEST(direct.continuation.empty());
   BOOST_TEST(by_load.converged, by_load.failed_check);
-  BOOST_TEST(by_load.method == "load continuation");
+  BOOST_TEST((by_load.method == "load continuation" && by_load.path == "load-continuation"));
   BOOST_TEST(by_load.attempts.size() == 1U);
   require_sensible(by_load.continuation, 5000.0);
   BOOST_TEST(by_load.continuation.back().converged);
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
   for (const steady::Attempt& attempt : saved.attempts)
     BOOST_TEST_MESSAGE("  " << attempt.method << ": " << (attempt.reason.empty() ? "solved" : attempt.reason));
   BOOST_TEST(saved.converged, saved.failed_check);
-  BOOST_TEST(saved.method.starts_with("Newton-Krylov"));
+  BOOST_TEST((saved.method.starts_with("Newton-Krylov") && saved.path.starts_with("newton")));
   BOOST_TEST(saved.levels.back().residual <= 1e-10);
   BOOST_TEST(saved.attempts.back().reason == "");
   for (std::size_t k = 0; k + 1 < saved.attempts.size(); ++k) BOOST_TEST(saved.attempts[k].reason != "");

@@ -197,7 +197,7 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
 }
 
 std::vector<std::string> wing_offences(const std::vector<SourceFile>& files) {
-  const std::vector<std::string> wings = {"base",   "case", "report",
+  const std::vector<std::string> wings = {"base",   "case", "report",  "run",
                                           "tables", "page", "commands"};  // from the lowest to the highest
   const auto height = [&](const std::string& path) {
     return std::ranges::find(wings, path.substr(0, path.find('/'))) - wings.begin();

@@ -41,7 +41,8 @@ std::vector<std::string> order_offences(const std::vector<Module>& modules);
 std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
 /// Effects that a module below them includes or depends on, and modules declared after an effect.
 std::vector<std::string> effect_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
-/// Includes from a folder of src/ into a higher one: from top to bottom main.cpp, commands, tables, report, case, base.
+/// Includes from a folder of src/ into a higher one: from top to bottom main.cpp, commands, page, tables, run,
+/// report, case, base.
 std::vector<std::string> wing_offences(const std::vector<SourceFile>& files);
 /// Headers of a library included by modules that may not use it.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);

@@ -217,6 +217,7 @@ void complete(const steady::Scene& scene, const steady::Solution& isothermal, bo
               steady::Solution& film) {
   film.method = isothermal.method + (film_is_cold ? ", then a fixed-point iteration with thinning by the flow"
                                                   : ", then a fixed-point iteration with heat");
+  film.path = isothermal.path;
   film.attempts = isothermal.attempts;
   film.continuation = isothermal.continuation;
   film.domain_error_Hc = isothermal.domain_error_Hc;

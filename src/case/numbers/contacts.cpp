@@ -21,11 +21,11 @@ std::string meaning_of_factor(Of s) {
 }
 bool has_passes(Of s) { return !solution(s).passes.empty(); }
 
-const RollerResult& rolled(Of s) { return *s.computed.roller; }
+const roller::Analysis& rolled(Of s) { return *s.computed.roller; }
 RollerBars roller_bars(Of s) { return bars_of(rolled(s)); }
 const roller::Trace& trace(Of s) { return s.input.roller->trace; }
 bool traced(Of s) { return s.input.roller->shape == roller::Profile::Shape::table; }
-bool stressed(Of s) { return std::isfinite(rolled(s).mises_end); }
+bool stressed(Of s) { return std::isfinite(rolled(s).mises.end); }
 
 const TransientResult& in_time(Of s) { return *s.computed.in_time; }
 const transient::MarchReport& march(Of s) { return in_time(s).report; }
@@ -69,9 +69,12 @@ std::vector<Number> starvation_numbers() {
                  [](Of s) { return solution(s).passes.back().number; })};
 }
 
-std::vector<Number> roller_numbers() {
+Group roller_numbers() {
   const auto bar_of = [](double RollerBars::*part) { return [part](Of s) { return roller_bars(s).*part; }; };
-  return {
+  Group group{.name = "roller", .prefix = "roller_"};
+  group.on = [](Of s) { return s.computed.roller.has_value(); };
+  group.asked = [](const deck::Deck& deck) { return deck::called_for(deck, "roller"); };
+  group.numbers = {
       number("length", "a", "length of the roller", [](Of s) { return s.input.roller->length; }),
       number("P_middle", "p_h", "highest pressure on the line y = 0", column(701),
              [](Of s) { return rolled(s).found.middle.P_max; }),
@@ -99,12 +102,13 @@ std::vector<Number> roller_numbers() {
       number("levelled_slope", "-", "dH/dY that was taken away of the trace", only_if(traced),
              [](Of s) { return trace(s).slope; }),
       number("mises_middle", "p_h", "largest von Mises stress below the middle half", only_if(stressed),
-             [](Of s) { return rolled(s).mises_middle; }),
+             [](Of s) { return rolled(s).mises.middle; }),
       number("error_mises_middle", "-", "its relative error by the grid of half as many cells", only_if(stressed),
              bar_of(&RollerBars::mises_middle)),
       number("mises_end", "p_h", "the same below the outer tenth of the length", only_if(stressed),
-             [](Of s) { return rolled(s).mises_end; }),
+             [](Of s) { return rolled(s).mises.end; }),
       number("error_mises_end", "-", "its relative error", only_if(stressed), bar_of(&RollerBars::mises_end))};
+  return group;
 }
 
 std::vector<Number> ending_numbers() {

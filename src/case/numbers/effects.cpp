@@ -138,8 +138,10 @@ std::vector<Number> thermal_numbers() {
   return list;
 }
 
-std::vector<Number> stress_numbers() {
-  std::vector<Number> list;
+Group stress_numbers() {
+  Group group{.name = "stresses", .home = "/subsurface"};
+  group.on = [](Of s) { return s.computed.stresses.has_value(); };
+  std::vector<Number>& list = group.numbers;
   const auto add_maximum = [&](const std::string& name, const std::string& words, int place,
                                subsurface::Maximum subsurface::StressField::*part) {
     const std::string file = "largest_" + name;
@@ -159,7 +161,7 @@ std::vector<Number> stress_numbers() {
   list.push_back(number("friction", "-", "shear traction along +x over pressure",
                         [](Of s) { return stresses(s).parameters.friction; }));
   list.push_back(number(id::seconds, "s", "time of the stresses", [](Of s) { return stresses(s).seconds; }));
-  return list;
+  return group;
 }
 
 }  // namespace ehl::program::numbers

@@ -1,5 +1,4 @@
 // Film and pressure of a solved contact, their errors, and the course of the solution.
-#include "case/film_solution.hpp"
 #include "case/numbers/records.hpp"
 
 namespace ehl::program::numbers {
@@ -119,7 +118,7 @@ std::vector<Number> course_numbers() {
        number(id::work_units, "-", "in residual and deformation evaluations on the finest grid", only_column,
               column(219), [](Of s) { return last(s).work_units; }),
        number("path", "", "the method as a code", only_column, column(220, "none"),
-              [](Of s) { return path_code(solution(s)); }),
+              [](Of s) { return solution(s).path; }),
        number(id::seconds, "s", "time of the solution", only_if(always),
               [](Of s) { return s.computed.dry ? s.computed.dry->seconds : solution(s).seconds; }),
        number(id::method, "", "the strategy that led to the solution", column(3, "none"),

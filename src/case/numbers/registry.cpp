@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/si_units.hpp"
+#include "case/effects.hpp"
 #include "case/machine_input.hpp"
 #include "case/numbers/records.hpp"
 #include "deck/document.hpp"
@@ -31,7 +32,6 @@ bool asks_roughness(const deck::Deck& deck) {
 bool asks_friction(const deck::Deck& deck) { return gives(deck, "friction", "cavitated"); }
 bool asks_heat(const deck::Deck& deck) { return deck::called_for(deck, "thermal"); }
 bool asks_supply(const deck::Deck& deck) { return deck::called_for(deck, "supply"); }
-bool asks_roller(const deck::Deck& deck) { return deck::called_for(deck, "roller"); }
 bool never(const deck::Deck&) { return false; }
 
 bool has_rough(Of s) { return s.computed.outcome.roughness.has_value(); }
@@ -39,8 +39,6 @@ bool has_rubbed(Of s) { return s.computed.friction.has_value(); }
 bool has_thinned(Of s) { return s.computed.flow.has_value(); }
 bool has_heated(Of s) { return s.computed.heat.has_value(); }
 bool has_starved(Of s) { return solution(s).starvation.has_value(); }
-bool has_rolled(Of s) { return s.computed.roller.has_value(); }
-bool has_stressed(Of s) { return s.computed.stresses.has_value(); }
 bool has_in_time(Of s) { return s.computed.in_time.has_value(); }
 
 const Group& group(const std::string& name) {
@@ -124,31 +122,34 @@ void add_columns(const Group& in, bool si, bool line, std::vector<SweepColumn>& 
 }  // namespace
 
 const std::vector<Group>& registry() {
-  static const std::vector<Group> all{
-      {.name = "film", .numbers = film_numbers()},
-      {.name = "course", .numbers = course_numbers(), .known = Known::solved},
-      {.name = "verification", .numbers = verification_numbers()},
-      {.name = "roughness", .numbers = roughness_numbers(), .on = has_rough, .asked = asks_roughness},
-      {.name = "similarity", .numbers = similarity_numbers(), .home = "/scales", .known = Known::before},
-      {.name = "scales", .numbers = scale_numbers(), .home = "/scales", .known = Known::before},
-      {.name = "grid", .numbers = grid_numbers(), .home = "", .known = Known::before},
-      {.name = "formulas of lines", .numbers = line_formulas(), .known = Known::before, .asked = asks_line},
-      {.name = "deviations of lines", .numbers = line_deviations(), .asked = asks_line},
-      {.name = "formulas of points", .numbers = point_formulas(), .known = Known::before, .asked = asks_point},
-      {.name = "deviations of points", .numbers = point_deviations(), .asked = asks_point},
-      {.name = "formulas of ellipses", .numbers = ellipse_formulas(), .known = Known::before, .asked = asks_ellipse},
-      {.name = "deviations of ellipses", .numbers = ellipse_deviations(), .asked = asks_ellipse},
-      {.name = "row", .numbers = row_numbers(), .home = "", .known = Known::before},
-      {.name = "timing", .numbers = timing_numbers(), .home = "", .asked = never},
-      {.name = "friction", .numbers = friction_numbers(), .on = has_rubbed, .asked = asks_friction},
-      {.name = "shear", .numbers = shear_numbers(), .on = has_thinned, .asked = never},
-      {.name = "thermal", .numbers = thermal_numbers(), .on = has_heated, .asked = asks_heat},
-      {.name = "starvation", .numbers = starvation_numbers(), .on = has_starved, .asked = asks_supply},
-      {.name = "roller", .numbers = roller_numbers(), .prefix = "roller_", .on = has_rolled, .asked = asks_roller},
-      {.name = "stresses", .numbers = stress_numbers(), .home = "/subsurface", .on = has_stressed},
-      {.name = "end of time", .numbers = ending_numbers(), .on = has_in_time},
-      {.name = "transient", .numbers = transient_numbers(), .home = "", .on = has_in_time},
-      {.name = "steps", .numbers = step_numbers(), .home = "/transient"}};
+  static const std::vector<Group> all = [] {
+    std::vector<Group> groups{
+        {.name = "film", .numbers = film_numbers()},
+        {.name = "course", .numbers = course_numbers(), .known = Known::solved},
+        {.name = "verification", .numbers = verification_numbers()},
+        {.name = "roughness", .numbers = roughness_numbers(), .on = has_rough, .asked = asks_roughness},
+        {.name = "similarity", .numbers = similarity_numbers(), .home = "/scales", .known = Known::before},
+        {.name = "scales", .numbers = scale_numbers(), .home = "/scales", .known = Known::before},
+        {.name = "grid", .numbers = grid_numbers(), .home = "", .known = Known::before},
+        {.name = "formulas of lines", .numbers = line_formulas(), .known = Known::before, .asked = asks_line},
+        {.name = "deviations of lines", .numbers = line_deviations(), .asked = asks_line},
+        {.name = "formulas of points", .numbers = point_formulas(), .known = Known::before, .asked = asks_point},
+        {.name = "deviations of points", .numbers = point_deviations(), .asked = asks_point},
+        {.name = "formulas of ellipses", .numbers = ellipse_formulas(), .known = Known::before, .asked = asks_ellipse},
+        {.name = "deviations of ellipses", .numbers = ellipse_deviations(), .asked = asks_ellipse},
+        {.name = "row", .numbers = row_numbers(), .home = "", .known = Known::before},
+        {.name = "timing", .numbers = timing_numbers(), .home = "", .asked = never},
+        {.name = "friction", .numbers = friction_numbers(), .on = has_rubbed, .asked = asks_friction},
+        {.name = "shear", .numbers = shear_numbers(), .on = has_thinned, .asked = never},
+        {.name = "thermal", .numbers = thermal_numbers(), .on = has_heated, .asked = asks_heat},
+        {.name = "starvation", .numbers = starvation_numbers(), .on = has_starved, .asked = asks_supply},
+        {.name = "end of time", .numbers = ending_numbers(), .on = has_in_time},
+        {.name = "transient", .numbers = transient_numbers(), .home = "", .on = has_in_time},
+        {.name = "steps", .numbers = step_numbers(), .home = "/transient"}};
+    for (const Effect& effect : effects())
+      if (effect.numbers) groups.push_back(effect.numbers());
+    return groups;
+  }();
   return all;
 }
 

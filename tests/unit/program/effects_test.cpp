@@ -85,11 +85,10 @@ BOOST_AUTO_TEST_CASE(every_entry_is_complete) {
     BOOST_TEST(!effect.callers.empty(), effect.name);
     for (const program::KeyName& key : effect.callers)
       BOOST_TEST((deck::find_key(catalogue, key.section, key.name) != nullptr), key.section << "." << key.name);
-    // An effect that follows from the solution is computed after it. An effect that is part of the film is computed
-    // with it; if it adds to the solution, it reports its time.
-    using program::Stage;
-    BOOST_TEST((effect.stage != Stage::after_solution || effect.compute), effect.name);
-    BOOST_TEST((effect.stage != Stage::coefficients || !effect.compute || effect.seconds), effect.name);
+    // What is computed at a stage of its own reports its time.
+    const program::Stages& stages = effect.stages;
+    BOOST_TEST((!(stages.film || stages.in_time || stages.after_solution) || effect.seconds), effect.name);
+    BOOST_TEST((stages.from == program::Extent::contact || stages.after_solution), effect.name);
     if (!effect.costly.name.empty())
       BOOST_TEST((deck::find_key(catalogue, effect.costly.section, effect.costly.name) != nullptr), effect.name);
     for (const deck::Section& section : effect.sections)

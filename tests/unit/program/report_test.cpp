@@ -7,7 +7,6 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
-#include "case/film_solution.hpp"
 #include "case/numbers/number.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
@@ -225,21 +224,6 @@ BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
   BOOST_TEST(unit(contact::ellipse(1.0)) == "rho0 u_m a^3/R");
   BOOST_TEST(unit(contact::ellipse(0.2)) == "rho0 u_m a^3/R");
   BOOST_TEST(unit(contact::line_contact()) == "rho0 u_m a^2/R");
-}
-
-// The names of methods in modules/steady, and the codes that postprocess/ uses.
-BOOST_AUTO_TEST_CASE(every_way_has_a_code) {
-  const auto code = [](const char* method) {
-    steady::Solution solution;
-    solution.method = method;
-    return program::path_code(solution);
-  };
-  BOOST_TEST(code("") == "none");
-  BOOST_TEST(code("full multigrid") == "full-multigrid");
-  BOOST_TEST(code("full multigrid, start 2") == "full-multigrid-2");
-  BOOST_TEST(code("load continuation") == "load-continuation");
-  BOOST_TEST(code("Newton-Krylov") == "newton");
-  BOOST_TEST(code("Newton-Krylov after the cycles") == "newton-after-cycles");
 }
 
 // P_max is 0.5: 2 GPa for a Hertz pressure of 4 GPa.

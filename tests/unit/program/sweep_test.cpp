@@ -159,7 +159,10 @@ BOOST_AUTO_TEST_CASE(rows) {
     return std::get<std::string>(program::in_row(row, name));
   };
   const auto in = [](program::SweepRow row, const char* name) { return results::number(program::in_row(row, name)); };
-  program::Computed computed = program::computed_of(input, {solution});
+  const auto computed_of = [&] {
+    return program::Computed{.solution = solution, .outcome = program::outcome_of(input, solution)};
+  };
+  program::Computed computed = computed_of();
   const program::SweepRow good = program::row_of_solution(plain(), input, computed);
   BOOST_TEST((text_in(good, "status") == "converged" && in(good, "exit_status") == 0 && in(good, "Hc") == 0.4 &&
               in(good, "Hm") == 0.25));
@@ -169,7 +172,7 @@ BOOST_AUTO_TEST_CASE(rows) {
       (in(good, "nx") == 4 && in(good, "ny") == 2 && in(good, "error_Hm") == 0.065 && in(good, "work_units") == 11.2));
   solution.converged = false;
   solution.failed_check = "the \"residual\",\nlevel #2";
-  computed = program::computed_of(input, {solution});
+  computed = computed_of();
   const program::SweepRow bad = program::row_of_solution(plain(), input, computed);
   BOOST_TEST((text_in(bad, "status") == "not-converged" && in(bad, "exit_status") == 3 && in(bad, "residual") == 3e-4));
   for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm", "Hc_best", "error_Hm_best"})

@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
   BOOST_TEST(solution.levels.front().nx == 64);
   BOOST_TEST(solution.levels.back().nx == 256);
   BOOST_TEST(solution.levels[1].seconds > 0.0);
-  BOOST_TEST(solution.method == "full multigrid");
+  BOOST_TEST((solution.method == "full multigrid" && solution.path == "full-multigrid"));
   BOOST_TEST(solution.attempts.size() == 1u);
   BOOST_TEST(solution.continuation.size() == 1u);
   std::size_t cycles = 0;

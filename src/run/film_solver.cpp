@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "report/outcome.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
+#include "run/solver.hpp"
+#include "steady/solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -20,16 +21,28 @@ std::string text_of(const steady::Progress& now) {
                      std::max(now.cycle, now.cycles), now.residual, now.Hc);
 }
 
+// The solver of the effect that has equations to be solved with the film, or that of the film alone.
+FilmSolver solver_of_film(const Case& input) {
+  FilmSolver solver = [](const Case& one, const steady::ProgressCallback& progress, Computed& computed) {
+    computed.solution = steady::solve(one.scene, progress);
+  };
+  for (const Effect& effect : effects_of(input))
+    if (effect.stages.film)
+      if (const FilmSolver own = effect.stages.film(input)) solver = own;
+  return solver;
+}
+
 void solve(const Case& input, Progress& progress, Computed& computed) {
   int level = -1;
-  computed = computed_of(input, solve_film(input, [&](const steady::Progress& now) {
-                           const bool new_level = now.level != level;
-                           level = now.level;
-                           return progress.show(now.fraction, text_of(now), new_level);
-                         }));
+  const auto show = [&](const steady::Progress& now) {
+    const bool new_level = now.level != level;
+    level = now.level;
+    return progress.show(now.fraction, text_of(now), new_level);
+  };
+  solver_of_film(input)(input, show, computed);
   if (!has_film(computed.solution)) throw core::SolverError(computed.solution.failed_check);
+  computed.outcome = outcome_of(input, computed.solution);
   if (!is_finite(computed.outcome)) throw core::SolverError("the film or the pressure is not finite");
-  computed.derived = derived_fields(input, computed.solution);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// The solver of a kind of contact. The steps from the deck to the result are the same for all kinds (command_run.cpp).
+// The solver of a kind of contact. The steps from the case to the result are the same for all kinds (pipeline.hpp).
 #include <string>
 
 #include "case/effects.hpp"
@@ -7,8 +7,8 @@
 namespace ehl::program {
 
 struct Solver {
-  /// Computes the solution without its effects. errors: core::SolverError if there is nothing
-  /// to show; core::Interrupted.
+  /// Computes the contact and its main numbers. errors: core::SolverError if there is nothing to show;
+  /// core::Interrupted.
   void (*solve)(const Case& input, Progress& progress, Computed& computed) = nullptr;
   std::string (*derived)(const Case& input) = nullptr;  ///< the report of `ehl check`
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;

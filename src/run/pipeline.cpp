@@ -1,4 +1,4 @@
-#include "commands/run_case.hpp"
+#include "run/pipeline.hpp"
 
 #include <fmt/core.h>
 
@@ -7,42 +7,85 @@
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
 #include "case/numbers/number.hpp"
+#include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/text.hpp"
 #include "report/outcome.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
 #include "results/write.hpp"
+#include "run/solver.hpp"
 
 namespace ehl::program {
 
+namespace {
+
 Solver solver_of(const Case& input) { return input.dry ? dry_solver() : film_solver(); }
 
-void solve_case(const Case& input, RunSettings& settings, Computed& computed) {
+results::Content content_without_solution(const Case& input, const Computed& computed) {
+  if (!input.dry && has_film(computed.solution) && is_finite(computed.outcome))
+    return solver_of(input).content(input, computed);
+  results::Content content = content_of(
+      input, computed, {numbers::given(id::converged, false), numbers::given(id::failed_check, computed.unsolved)});
+  content.scales = numbers::scale_quantities(input);
+  return content;
+}
+
+}  // namespace
+
+void solve_case(const Case& input, RunSettings& settings, Computed& computed) try {
   const double began = core::now();
   solver_of(input).solve(input, settings.progress, computed);
-  for (const Effect& effect : effects_of(input))
-    if (effect.compute) effect.compute(input, settings, computed);
+  compute_effects(input, settings, computed);
   computed.seconds = core::now() - began;
+} catch (const core::SolverError& error) {
+  computed.unsolved = computed.solution.failed_check = error.what();
+  computed.solution.converged = false;
+  if (!has_film(computed.solution)) computed.solution.grid = input.scene.grid;
+}
+
+void compute_effects(const Case& input, RunSettings& settings, Computed& computed) {
+  const Extent extent = settings.extent;
+  if (extent == Extent::row && !computed.solution.converged) return;
+  if (extent >= Extent::contact) computed.derived = derived_fields(input, computed.solution);
+  const std::vector<Effect> on = effects_of(input);
+  for (const Effect& effect : on)
+    if (effect.stages.in_time && extent == Extent::whole) effect.stages.in_time(input, settings, computed);
+  for (const Effect& effect : on)
+    if (effect.stages.after_solution && extent >= effect.stages.from)
+      effect.stages.after_solution(input, settings, computed);
+}
+
+std::string solve_and_save(const Case& input, RunSettings settings, Computed& computed, bool is_continued,
+                           const std::function<void(const results::Content& content)>& write) {
+  bool has_part = is_continued;
+  settings.save = [&](const std::function<void(results::Content & content)>& add) {
+    results::Content content = solver_of(input).content(input, computed);
+    add(content);
+    write(content);
+    has_part = true;
+  };
+  solve_case(input, settings, computed);
+  // A run in time that fails has already saved more than this.
+  if (!computed.unsolved.empty() && has_part) return "the run so far";
+  const results::Content content = whole_content(input, computed);
+  write(content);
+  if (computed.unsolved.empty()) return "the result";
+  return content.fields.empty() ? "the deck and this reason, but no film" : "the last film, marked as not converged";
 }
 
 results::Content whole_content(const Case& input, const Computed& computed) {
+  if (!computed.unsolved.empty()) return content_without_solution(input, computed);
   results::Content content = solver_of(input).content(input, computed);
   add_effects(input, computed, content);
   return content;
 }
 
-results::Content content_without_solution(const Case& input, Computed& computed, const std::string& reason) {
-  steady::Solution& solution = computed.solution;
-  solution.converged = false;
-  solution.failed_check = reason;
-  if (!input.dry && has_film(solution) && is_finite(computed.outcome)) return solver_of(input).content(input, computed);
-  solution.grid = input.scene.grid;
-  results::Content content =
-      content_of(input, computed, {numbers::given(id::converged, false), numbers::given(id::failed_check, reason)});
-  content.scales = numbers::scale_quantities(input);
-  return content;
+std::string json_of(const Case& input, const Computed& computed) {
+  return computed.unsolved.empty() ? solver_of(input).json(input, computed) : json_failure(input, computed.unsolved);
 }
+
+std::string derived_of(const Case& input) { return solver_of(input).derived(input); }
 
 std::string printed(const Case& input, const Computed& computed, bool profile) {
   std::string text = "case         " + input.title + "\n" + solver_of(input).summary(input, computed);

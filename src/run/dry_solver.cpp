@@ -8,7 +8,6 @@
 #include "base/machine.hpp"
 #include "base/text_format.hpp"
 #include "case/numbers/number.hpp"
-#include "commands/solver.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
@@ -16,11 +15,10 @@
 #include "report/contact_lines.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
+#include "run/solver.hpp"
 
 namespace ehl::program {
 namespace {
-
-constexpr double hertz_load = 2.0 * core::pi / 3.0;  // integral of P = sqrt(1 - r^2) over the contact
 
 // Estimates the share of the work that is done: on each grid the error falls at a constant rate, and the next grid
 // costs four times as much.
@@ -32,14 +30,10 @@ double fraction(const dry::Progress& now, double tolerance) {
 void solve(const Case& input, Progress& progress, Computed& computed) {
   const core::Patch grid =
       input.scene.use_symmetry ? core::lower_half(input.scene.grid) : core::Patch(input.scene.grid);
-  dry::Problem problem{
-      grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
-  if (input.scene.surface) {
-    core::Field S(grid);
-    input.scene.surface(grid, S);
-    for (int i = 0; i < grid.nodes_x(); ++i)
-      for (int j = 0; j < grid.nodes_y(); ++j) problem.gap(i, j) += S(i, j);
-  }
+  dry::Problem problem = dry::ball_on_flat(grid, input.scene.surface);
+  problem.deformation = input.scene.deformation;
+  problem.parameters = input.dry->parameters;
+  problem.threads = input.scene.threads;
   dry::Solution& solution = computed.dry.emplace();
   solution = dry::solve(problem, [&](const dry::Progress& now) {
     return progress.show(fraction(now, problem.parameters.tolerance),
@@ -57,7 +51,6 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   computed.solution.P = solution.P;
   computed.solution.converged = solution.converged;
   computed.solution.failed_check = solution.failed_check;
-  computed.derived = derived_fields(input, computed.solution);
 }
 
 std::string contact_lines(const ElasticContact& contact) {

@@ -1,0 +1,62 @@
+#include "effects/friction/of_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/norms.hpp"
+#include "effects/friction/beyond.hpp"
+
+namespace ehl::friction {
+namespace {
+
+// The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.
+double flow_of(const steady::Scene& scene, const steady::SolvedFilm& film) {
+  const core::Location highest = core::maximum(film.P);
+  double rho_bar = 1.0;
+  rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
+  return rho_bar * film.H(highest.i, highest.j);
+}
+
+// The state of the far field upstream of a line contact. Heat reduces the pressure there as a lower speed would, at the
+// same flow. The equivalent speed is the one with which the far field has the solved pressure at the first node.
+reynolds::FarState state_upstream(const reynolds::FarField& field, const steady::Scene& scene,
+                                  const steady::SolvedFilm& film) {
+  reynolds::FarState state{.H00 = film.H00, .flow = flow_of(scene, film)};
+  const double there = film.P(0, 1);
+  if (film.I0 == nullptr || there <= 0.0) return state;
+  constexpr int rounds = 30;  // fixed-point iteration; its contraction factor is alpha P, which is small in the inlet
+  for (int k = 0; k < rounds; ++k)
+    if (const double P = field.P(field.at(film.grid.X_a, 0.0), film.H(0, 1), state); P > 0.0) state.speed *= there / P;
+  return state;
+}
+
+}  // namespace
+
+bool oil_outside(const steady::Scene& scene) { return scene.far_field && !scene.supply; }
+
+Friction friction_of(const steady::Scene& scene, const steady::SolvedFilm& film, Parameters parameters) {
+  Film of{.grid = film.grid,
+          .P = film.P,
+          .H = film.H,
+          .viscosity = scene.viscosity,
+          .thinning = scene.thinning,
+          .I0 = film.I0,
+          .less_tau = film.less_tau,
+          .load = contact::load(scene.shape),
+          .gap = contact::gap(scene.shape),
+          .lambda = scene.lambda,
+          .starved = bool(scene.supply)};
+  if (!oil_outside(scene)) {
+    if (!scene.supply && std::isinf(parameters.meniscus))
+      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
+    return friction_of(of, parameters);
+  }
+  const double deformation = contact::elastic_factor(scene.shape) * of.load;
+  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, film.grid});
+  Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
+  if (film.grid.line) outside.state = state_upstream(field, scene, film);
+  of.outside = &outside;
+  return friction_of(of, parameters);
+}
+
+}  // namespace ehl::friction

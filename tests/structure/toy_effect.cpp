@@ -1,0 +1,87 @@
+#include "structure/toy_effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/json.hpp"
+#include "case/effects.hpp"
+#include "case/numbers/records.hpp"
+#include "deck/text.hpp"
+#include "steady/solve.hpp"
+
+namespace ehl::program {
+
+ToyCalls& toy_calls() {
+  static ToyCalls calls;
+  return calls;
+}
+
+double steepest(const steady::Solution& solution) {
+  const core::Grid& grid = solution.grid;
+  double slope = 0.0;
+  for (int i = 1; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j)
+      slope = std::max(slope, std::abs(solution.P(i, j) - solution.P(i - 1, j)) / grid.hx());
+  return slope;
+}
+
+namespace {
+
+bool on(const Case& input) { return deck::given(input.deck, "toy", "steepest"); }
+
+FilmSolver film(const Case&) {
+  return [](const Case& input, const steady::ProgressCallback& progress, Computed& computed) {
+    ++toy_calls().film;
+    computed.solution = steady::solve(input.scene, progress);
+  };
+}
+
+void after_solution(const Case& input, RunSettings&, Computed& computed) {
+  ++toy_calls().after_solution;
+  if (steepest(computed.solution) > deck::number(input.deck, "toy", "steepest"))
+    computed.outcome.warnings.push_back({"steep", "the pressure is steeper than [toy] steepest"});
+}
+
+numbers::Group toy_numbers() {
+  numbers::Group group{.name = "toy"};
+  group.asked = [](const deck::Deck& deck) { return deck::given(deck, "toy", "steepest"); };
+  group.on = [](numbers::Of s) { return on(s.input); };
+  group.numbers = {numbers::number("steepest_slope", "p_h/a", "largest slope of the pressure along x",
+                                   numbers::column(799), [](numbers::Of s) { return steepest(s.computed.solution); })};
+  return group;
+}
+
+}  // namespace
+
+Effect toy_effect() {
+  return {.name = "toy",
+          .meaning = "The steepest pressure.",
+          .sections = {{.name = "toy", .called_by = {"steepest"}}},
+          .keys =
+              [] {
+                return deck::in_section("toy", {{.name = "steepest",
+                                                 .range = {.lower = 0.0},
+                                                 .meaning = "Slope of the pressure above which the run warns.",
+                                                 .example = "10"}});
+              },
+          .numbers = toy_numbers,
+          .stages = {.scene = [](Case& input) { toy_calls().scene += on(input) ? 1 : 0; },
+                     .film = film,
+                     .after_solution = after_solution,
+                     .from = Extent::row},
+          .on = on,
+          .what = [](const Case&) { return std::string("the steepest pressure"); },
+          .json =
+              [](const Case& input, const Computed& computed) {
+                Json report;
+                add(numbers::quantities("toy", {input, computed}), report);
+                return report;
+              },
+          .add_content =
+              [](const Case& input, const Computed& computed, results::Content& content) {
+                numbers::append("toy", {input, computed}, content.summary);
+              },
+          .example = {"toy.steepest=10"}};
+}
+
+}  // namespace ehl::program
