@@ -69,9 +69,9 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 }  // namespace
 
 const std::vector<Effect>& effects() {
-  static const std::vector<Effect> all =
-      completed({elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
-                 starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect(), roller_effect()});
+  static const std::vector<Effect> all = completed(
+      {elliptic_effect(), coating_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
+       starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect(), roller_effect()});
   return all;
 }
 

@@ -82,6 +82,7 @@ void read_effects(Case& input);
 
 /// The entries of the list, one per file effect_<name>.cpp.
 Effect elliptic_effect();
+Effect coating_effect();
 Effect roller_effect();
 Effect transient_effect();
 Effect body_effect();

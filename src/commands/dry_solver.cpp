@@ -16,6 +16,7 @@
 #include "report/contact_lines.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -32,8 +33,13 @@ double fraction(const dry::Progress& now, double tolerance) {
 void solve(const Case& input, Progress& progress, Computed& computed) {
   const core::Patch grid =
       input.scene.use_symmetry ? core::lower_half(input.scene.grid) : core::Patch(input.scene.grid);
-  dry::Problem problem{
-      grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
+  dry::Problem problem{grid,
+                       dry::smooth_gap(grid),
+                       hertz_load,
+                       input.scene.deformation,
+                       input.dry->parameters,
+                       input.scene.threads,
+                       steady::geometry_of(input.scene).kernel};
   if (input.scene.surface) {
     core::Field S(grid);
     input.scene.surface(grid, S);
@@ -61,8 +67,8 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 }
 
 std::string contact_lines(const ElasticContact& contact) {
-  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.load, length(contact.radius),
-                     pressure_in_GPa(contact.E_prime)) +
+  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.bodies.load, length(contact.bodies.radius),
+                     pressure_in_GPa(contact.bodies.E_prime)) +
          "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure_in_GPa(contact.hertz.p_h) +
          ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
 }
