@@ -80,7 +80,7 @@ double domain_error(const multigrid::Hierarchy& hierarchy, const multigrid::Leve
   if (!problem.far_field) return 0.0;
   const bool line = level.grid.domain.line;
   const double round = line ? problem.geometry.gap.XX : 0.5 * (problem.geometry.gap.XX + problem.geometry.gap.YY);
-  const double deformation = problem.geometry.elastic * problem.load.value_or(0.0);
+  const double deformation = problem.geometry.kernel.factor * problem.load.value_or(0.0);
   const std::vector<multigrid::BoundaryNode> nodes = multigrid::nodes_of_boundary(level.grid);
   double sum = 0.0;
   for (std::size_t k = 0; k < nodes.size(); ++k) {

@@ -1,14 +1,11 @@
 #pragma once
 // The dry contact of Hertz, on whose scales all dimensionless quantities are based.
 #include "contact/ellipse.hpp"
+#include "kernel/coating.hpp"
 
 namespace ehl::contact {
 
-/// One body: E [Pa] > 0, nu in (-1, 0.5].
-struct Elastic {
-  double E;
-  double nu;
-};
+using Elastic = kernel::Material;
 
 /// E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2].
 /// in: two bodies. out: [Pa]. limits: if one body is rigid (E = infinity), 2 E/(1 - nu^2) of the other.

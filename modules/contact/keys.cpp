@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "contact/coatings.hpp"
 #include "contact/hertz.hpp"
 #include "deck/text.hpp"
 
@@ -136,7 +137,21 @@ using Names = std::vector<std::string>;
 
 const Names names_in_moes{"M", "L"};
 const Names names_in_hamrock_dowson{"W", "U", "G"};
-const Names names_in_si{"load", "load_per_length", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
+const Names names_in_si{"load",
+                        "load_per_length",
+                        "radius_x",
+                        "radius_y",
+                        "E1",
+                        "nu1",
+                        "E2",
+                        "nu2",
+                        "E_prime",
+                        "coating1_E",
+                        "coating1_nu",
+                        "coating1_thickness",
+                        "coating2_E",
+                        "coating2_nu",
+                        "coating2_thickness"};
 const Names four_moduli{"E1", "nu1", "E2", "nu2"};
 
 Language language_of(const deck::Part& contact) {
@@ -182,11 +197,14 @@ Bodies read_bodies(const deck::Part& contact) {
     contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2");
   else
     contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
+  const double E_prime = contact.given("E_prime")
+                             ? number("E_prime")
+                             : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")});
   return {.load = number(load.c_str()),
           .radius = number("radius_x"),
-          .E_prime = contact.given("E_prime")
-                         ? number("E_prime")
-                         : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")})};
+          .E_prime = E_prime,
+          .E_prime_uncoated = E_prime,
+          .coatings = read_coatings(contact)};
 }
 
 // R_x/R_y, or NaN after an error. Derived values are recorded in the deck.
@@ -237,9 +255,9 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& i
 }  // namespace
 
 std::vector<deck::Key> keys() {
-  return deck::together(
-      {deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), shape_keys(), length_keys()})),
-       deck::in_section("motion", motion_keys())});
+  return deck::together({deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), coating_keys(),
+                                                                     shape_keys(), length_keys()})),
+                         deck::in_section("motion", motion_keys())});
 }
 
 bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind", {false, true, false}); }
@@ -268,13 +286,16 @@ Input read(deck::Deck& deck, bool slides) {
   }
   read_motion(motion, slides, input);
   input.shape = read_shape(contact, motion, input);
+  if (contact.deck.errors.empty()) input.bodies.E_prime = equivalent_modulus(input.bodies, input.shape);
   return input;
 }
 
 std::optional<Bodies> read_bodies(deck::Deck& deck) {
   const deck::Part contact{deck, "contact"};
   if (contact.given_of(names_in_si).empty()) return std::nullopt;
-  return read_bodies(contact);
+  Bodies bodies = read_bodies(contact);
+  if (deck.errors.empty()) bodies.E_prime = equivalent_modulus(bodies, {});
+  return bodies;
 }
 
 }  // namespace ehl::contact

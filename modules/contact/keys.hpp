@@ -5,6 +5,7 @@
 
 #include "contact/ellipse.hpp"
 #include "deck/deck.hpp"
+#include "kernel/coating.hpp"
 
 namespace ehl::contact {
 
@@ -15,9 +16,11 @@ inline constexpr double silent = std::numeric_limits<double>::quiet_NaN();
 
 /// Elastic bodies pressed together.
 struct Bodies {
-  double load = silent;     ///< [N]; for a line contact [N/m]
-  double radius = silent;   ///< R_x [m]
-  double E_prime = silent;  ///< [Pa]
+  double load = silent;                     ///< [N]; for a line contact [N/m]
+  double radius = silent;                   ///< R_x [m]
+  double E_prime = silent;                  ///< of the scales [Pa]; of coated bodies by equivalent_modulus()
+  double E_prime_uncoated = silent;         ///< of the bodies without their coatings [Pa]
+  std::vector<kernel::Coating> coatings{};  ///< thickness in m
 };
 
 /// [contact] and [motion]; NaN for quantities that the deck does not define.

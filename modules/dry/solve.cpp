@@ -97,7 +97,7 @@ Solution solve(const Problem& problem, const Observer& observe) {
       transfer::prolong_bilinear(P, finer, 1);
       P = std::move(finer);
     }
-    mlmi::Deformation deformation(grid, problem.deformation, problem.threads, problem.elastic);
+    mlmi::Deformation deformation(grid, problem.deformation, problem.threads, problem.kernel);
     ConjugateGradients iteration(grid, gaps[k], problem.load, deformation, P);
     int count = 0;
     while (iteration.error() > problem.parameters.tolerance && count < problem.parameters.max_iterations) {

@@ -11,6 +11,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
+#include "kernel/kernel.hpp"
 #include "mlmi/deformation.hpp"
 
 namespace ehl::dry {
@@ -30,7 +31,7 @@ struct Problem {
   mlmi::Parameters deformation{};
   Parameters parameters{};
   int threads = 1;
-  double elastic = mlmi::circular_factor;      ///< factor of K*P
+  kernel::Kernel kernel{};                     ///< of the deformation, K*P
   core::QuadraticForm outline{1.0, 0.0, 1.0};  ///< 1 along the edge of a smooth contact; gives the initial guess
 };
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/influence.hpp"
 #include "mlmi/semi_coarsening.hpp"
 
 namespace ehl::mlmi {
@@ -30,15 +29,15 @@ std::array<double, 4> midpoint_weights(int order) {
   return {1225.0 / 2048.0, -245.0 / 2048.0, 49.0 / 2048.0, -5.0 / 2048.0};
 }
 
-Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, double factor) {
+Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, const kernel::Kernel& kernel) {
   const int p = order / 2;
   const std::array<double, 4> weights = midpoint_weights(order);
   const int rows = m1 + margin, columns = m2 + margin;
-  const auto K = kernel::influence_table(rows + 2 * p, columns, along.h, across.h, along.every, across.every);
+  const auto K = kernel::influence_table(kernel, rows + 2 * p, columns, along.h, across.h, along.every, across.every);
   const auto interpolation_error = [&](int d, int e) {
     double error = K(d, e);
     for (int k = 1; k <= p; ++k) error -= weights[index(k - 1)] * (K(d - (2 * k - 1), e) + K(d + (2 * k - 1), e));
-    return factor * error;
+    return kernel.factor * error;
   };
   // Entries inside the patch are dropped if they are smaller than the largest one just outside it.
   double threshold = 0.0;

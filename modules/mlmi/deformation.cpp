@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/errors.hpp"
-#include "kernel/influence.hpp"
 #include "mlmi/line_sum.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
@@ -104,7 +103,8 @@ struct Deformation::Implementation {
   std::vector<double> along_P, along_w;  // line contacts only
 };
 
-Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor) {
+Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, int threads,
+                         const kernel::Kernel& kernel) {
   const int team = std::max(grid.nx, grid.domain.ny) < smallest_parallel ? 1 : std::max(1, threads);
   const core::Grid& whole = grid.domain;
   // The direct sum and the plain FFT are the multilevel sum without coarsening.
@@ -123,9 +123,9 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   }
   const Axis x{0, grid.nx, 1, grid.hx()};
   if (whole.line) {
-    own.line_sum.emplace(x, choice, factor);
+    own.line_sum.emplace(x, choice, kernel);
     own.along_P = own.along_w = std::vector<double>(static_cast<std::size_t>(grid.nodes_x()));
-    own.of_unit = factor * grid.hx() * std::log(parameters.line_unit);
+    own.of_unit = kernel.factor * grid.hx() * std::log(parameters.line_unit);
     choice.coarsest_direct = own.line_sum->coarsest_direct();
     if (parameters.method == Method::mlmi)
       own.description = describe(choice, std::to_string(own.line_sum->coarsest_points()), true);
@@ -134,7 +134,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   Axis y{0, grid.ny, 1, grid.hy(), grid.north};
   const bool on_whole = y.end == core::Edge::mirror && !holds_mirror(y, choice);
   if (on_whole) y = {0, whole.ny, 1, whole.hy()};
-  own.sum.emplace(x, y, choice, factor, team);
+  own.sum.emplace(x, y, choice, kernel, team);
   if (on_whole) own.whole_P = own.whole_w = core::Field(whole);
   if (parameters.method == Method::mlmi)
     own.description = describe(

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "kernel/kernel.hpp"
 
 namespace ehl::mlmi {
 
@@ -29,21 +29,19 @@ int most_coarsenings(const core::Grid& grid);
 /// The parameters for a coarser grid than the one they are meant for, with no more coarsenings than it allows.
 Parameters fitting(Parameters parameters, const core::Patch& coarser);
 
-/// Eq. (6): the deformation of a circular contact, in units of a^2/R for a pressure in units of p_h, is this factor
-/// times K*P.
-inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);
-
-/// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid. Owns the tables, plans and work space; not copyable; serves
-/// one caller at a time.
+/// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid, K and the factor of a kernel::Kernel. Owns the tables, plans
+/// and work space; not copyable; serves one caller at a time.
 ///
 /// Grids have any size from 1 x 1 cells on, odd numbers too; hx != hy is allowed. With an axis of symmetry the sum
 /// includes the images at half of the cost, or goes over the whole domain if the numbers of cells do not allow that. In
-/// a line contact the kernel is the logarithm, all coarsenings go along X, and all stored lines get the sum. The result
+/// a line contact all coarsenings go along X, and all stored lines get the sum. The result
 /// has the same bits for any number of threads; grids below 256 cells per direction use one.
 class Deformation {
  public:
-  /// errors: core::InputError when the parameters do not fit the grid.
-  Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor = circular_factor);
+  /// in: a kernel of a half-plane for line contacts, else of a half-space. errors: core::InputError when the parameters
+  /// do not fit the grid.
+  Deformation(const core::Patch& grid, const Parameters& parameters, int threads,
+              const kernel::Kernel& kernel = kernel::half_space());
   ~Deformation();
   Deformation(Deformation&&) noexcept;
   Deformation& operator=(Deformation&&) noexcept;

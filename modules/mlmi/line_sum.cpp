@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "core/simd.hpp"
-#include "kernel/influence.hpp"
 
 namespace ehl::mlmi {
 namespace {
@@ -23,15 +22,15 @@ constexpr int most_direct = 65;
 
 // C = K - P K on its patch. The sum of the dropped entries, separately of odd and of even distances, is added in the
 // middle.
-std::vector<double> correction_of(const Axis& axis, int order, int patch, double factor) {
+std::vector<double> correction_of(const Axis& axis, int order, int patch, const kernel::Kernel& kernel) {
   const int p = order / 2;
   const auto weights = midpoint_weights(order);
-  const auto K = kernel::line_influence_table(patch + margin + 2 * p, axis.h, axis.every);
+  const auto K = kernel::line_influence_table(kernel, patch + margin + 2 * p, axis.h, axis.every);
   const auto error = [&](int d) {
     double sum = K[at(std::abs(d))];
     for (int k = 1; k <= p; ++k)
       sum -= weights[at(k - 1)] * (K[at(std::abs(d - (2 * k - 1)))] + K[at(std::abs(d + (2 * k - 1)))]);
-    return factor * sum;
+    return kernel.factor * sum;
   };
   std::vector<double> C;
   for (int d = -patch; d <= patch; ++d) C.push_back(error(d));
@@ -66,7 +65,7 @@ double value_at(const Axis& axis, const std::vector<double>& values, int i) {
 
 }  // namespace
 
-LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor)
+LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, const kernel::Kernel& kernel)
     : order_(choice.order), patch_(choice.patch_along) {
   Axis now = axis;
   const auto add = [&](std::vector<double> correction) {
@@ -74,19 +73,19 @@ LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor
         {now, std::vector<double>(at(now.points())), std::vector<double>(at(now.points())), std::move(correction)});
   };
   for (int l = 0; l < choice.coarsenings; ++l) {
-    add(correction_of(now, order_, patch_, factor));
+    add(correction_of(now, order_, patch_, kernel));
     now = coarsened(now, order_);
   }
   add({});
   const int points = now.points();
-  const std::vector<double> K = kernel::line_influence_table(points - 1, now.h, now.every);
+  const std::vector<double> K = kernel::line_influence_table(kernel, points - 1, now.h, now.every);
   if (choice.coarsest_direct || points <= most_direct) {
-    for (int d = 1 - points; d < points; ++d) kernel_.push_back(factor * K[at(std::abs(d))]);
+    for (int d = 1 - points; d < points; ++d) kernel_.push_back(kernel.factor * K[at(std::abs(d))]);
     kernel_.resize(kernel_.size() + at((block + 1) * core::lanes));
     return;
   }
   std::vector<double> scaled(K.begin(), K.begin() + points);
-  for (double& value : scaled) value *= factor;
+  for (double& value : scaled) value *= kernel.factor;
   transformed_.emplace(scaled);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
-// The sum w = K*u along one line, K the logarithmic kernel of a line contact: multilevel multi-integration as in two
+// The sum w = K*u along one line, K the kernel of a line contact: multilevel multi-integration as in two
 // dimensions (semi_coarsening.hpp defines the notation), with every coarsening along the line.
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "kernel/kernel.hpp"
 #include "mlmi/even_convolution.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
@@ -13,7 +14,7 @@ namespace ehl::mlmi {
 /// w_i = factor sum_k K(i-k) u_k. Owns every level. limits: an axis that begins at 0; patch_across is not used.
 class LineSum {
  public:
-  LineSum(const Axis& axis, const MultilevelChoice& choice, double factor);
+  LineSum(const Axis& axis, const MultilevelChoice& choice, const kernel::Kernel& kernel);
 
   /// in: u(i), i = 0..last. out: write(i, w_i).
   template <class Source, class Write>

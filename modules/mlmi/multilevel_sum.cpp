@@ -22,7 +22,8 @@ bool holds_mirror(const Axis& y, const MultilevelChoice& choice) {
   return choice.coarsenings % 2 == 0 && !choice.coarsest_direct && y.last % (1 << (choice.coarsenings / 2)) == 0;
 }
 
-MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads) {
+MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, const kernel::Kernel& kernel,
+                             int threads) {
   Axis along = x, across = y;
   for (int l = 0; l < choice.coarsenings; ++l) {
     // The dropped part of the kernel contributes in proportion to the spacing, and the work falls with its square:
@@ -30,7 +31,7 @@ MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoic
     const int pair = l / 2;
     const int m1 = choice.patch_along + 2 * pair;
     const int m2 = points_across(choice.patch_across + pair, along, across);
-    steps_.emplace_back(SemiCoarsening::Shape{along, across, choice.order, m1, m2}, factor, threads);
+    steps_.emplace_back(SemiCoarsening::Shape{along, across, choice.order, m1, m2}, kernel, threads);
     along = std::exchange(across, steps_.back().coarse());
     const std::ptrdiff_t stride = padded(across.points());
     const auto size = static_cast<std::size_t>(along.points() * stride);
@@ -39,12 +40,12 @@ MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoic
   coarsest_rows_ = along.points();
   const FourierConvolution::Shape shape{coarsest_rows_, across.points(), across.end == core::Edge::mirror};
   coarsest_columns_ = shape.all_columns();
-  const auto kernel =
-      kernel::influence_table(coarsest_rows_ - 1, coarsest_columns_ - 1, along.h, across.h, along.every, across.every);
+  const auto table = kernel::influence_table(kernel, coarsest_rows_ - 1, coarsest_columns_ - 1, along.h, across.h,
+                                             along.every, across.every);
   if (choice.coarsest_direct)
-    direct_.emplace(coarsest_rows_, coarsest_columns_, kernel, factor, threads);
+    direct_.emplace(coarsest_rows_, coarsest_columns_, table, kernel.factor, threads);
   else
-    fourier_.emplace(shape, kernel, factor, threads);
+    fourier_.emplace(shape, table, kernel.factor, threads);
 }
 
 void MultilevelSum::apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/kernel.hpp"
 #include "mlmi/buffer.hpp"
 #include "mlmi/direct_sum.hpp"
 #include "mlmi/fourier_convolution.hpp"
@@ -29,7 +30,8 @@ bool holds_mirror(const Axis& y, const MultilevelChoice& choice);
 /// semi-coarsening: Venner and Lubrecht, Multilevel Methods in Lubrication (2000).
 class MultilevelSum {
  public:
-  MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads);
+  MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, const kernel::Kernel& kernel,
+                int threads);
 
   /// w = factor K*u. in: u, row i at u + i stride_u, rows allocated to a multiple of 8. out: w in the same layout; its
   /// columns are written up to a multiple of 8.

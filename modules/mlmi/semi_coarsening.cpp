@@ -27,11 +27,11 @@ std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
 }  // namespace
 
-SemiCoarsening::SemiCoarsening(const Shape& shape, double factor, int threads)
+SemiCoarsening::SemiCoarsening(const Shape& shape, const kernel::Kernel& kernel, int threads)
     : shape_(shape),
       coarse_(coarsened(shape.along, shape.order)),
       weights_(midpoint_weights(shape.order)),
-      correction_(correction(shape.along, shape.across, shape.order, shape.patch_along, shape.patch_across, factor)),
+      correction_(correction(shape.along, shape.across, shape.order, shape.patch_along, shape.patch_across, kernel)),
       // The ring keeps the rows that the odd row 2p-1 behind the newest even row still needs.
       ring_rows_(2 * shape.patch_along + shape.order + 2),
       zero_row_(size(vectors(shape.across.points())) * lanes) {

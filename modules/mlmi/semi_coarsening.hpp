@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "kernel/kernel.hpp"
 #include "mlmi/buffer.hpp"
 
 namespace ehl::mlmi {
@@ -47,9 +48,9 @@ struct Correction {
   const double* row(int e) const { return C.data() + e * (2 * along + 1) + along; }
 };
 
-/// The correction of one coarsening. in: axes of the fine level; order 2p, m1 and m2; factor multiplies K. cost: some
+/// The correction of one coarsening. in: axes of the fine level; order 2p, m1 and m2. cost: some
 /// thousand kernel values.
-Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, double factor);
+Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, const kernel::Kernel& kernel);
 
 /// The transfers between one level and the next coarser one, with their work space. In the fine arrays the direction
 /// that is coarsened is the slow one and the other is contiguous. The coarse arrays are transposed, so that the next
@@ -63,7 +64,7 @@ class SemiCoarsening {
     int patch_along = 7;
     int patch_across = 2;
   };
-  SemiCoarsening(const Shape& shape, double factor, int threads);
+  SemiCoarsening(const Shape& shape, const kernel::Kernel& kernel, int threads);
 
   /// u^H = P^T u, transposed. in: u, along.points() rows, each allocated to a multiple of 8: columns after the last may
   /// be read but are not used. out: coarse_u, across.points() rows of coarse().points().

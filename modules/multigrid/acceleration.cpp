@@ -20,7 +20,7 @@ void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& as
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const reynolds::Transport transport = transport_on(hierarchy, level);
   for (int i = 1; i < grid.nx; ++i) {
-    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * level.film_terms.K[0];
+    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * film_response(level, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::faces_at(level.scheme.face, level.eps, eps_across(level), i, j, half);
       const bool stays = reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));

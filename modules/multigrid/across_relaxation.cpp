@@ -115,14 +115,14 @@ class StationAcross {
     if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
     const double film = own * level_.rho_bar(i, j);
     row.weight = weight_of(e);
-    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * level_.film_terms.K[0];
-    row.south = film * level_.film_terms.K_across[0] - e.south;
-    row.north = film * level_.film_terms.K_across[0] - e.north;
+    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * film_response(level_, 0);
+    row.south = film * film_response(level_, 0, 1) - e.south;
+    row.north = film * film_response(level_, 0, 1) - e.north;
     if (at_half_points(level_)) {
       add_answers(i, j, e, row);
     } else {
       add_slopes(i, j, work, row);
-      row.own += film_along_edge * level_.film_terms.K[0] * answer_to_film_of_edge(i, j, e);
+      row.own += film_along_edge * film_response(level_, 0) * answer_to_film_of_edge(i, j, e);
     }
     return row;
   }

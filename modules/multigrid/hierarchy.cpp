@@ -8,7 +8,6 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "kernel/influence.hpp"
 #include "multigrid/boundary.hpp"
 #include "multigrid/line_relaxation.hpp"
 #include "multigrid/thread_work.hpp"
@@ -18,13 +17,14 @@ namespace ehl::multigrid {
 namespace {
 
 // Delta K with the shares of stretched cells. Only for small d: far away the differences lose their digits.
-double stretched_influence(int d, const core::Patch& grid) {
-  const auto K = [&](int d_x, int d_y) { return kernel::influence(d_x, d_y, grid.hx(), grid.hy()); };
+double stretched_influence(const kernel::Kernel& kernel, int d, const core::Patch& grid) {
+  const auto K = [&](int d_x, int d_y) { return kernel::influence(kernel, d_x, d_y, grid.hx(), grid.hy()); };
   const DistributedShares share = distributed_shares(grid);
   return K(d, 0) - share.along * (K(d - 1, 0) + K(d + 1, 0)) - 2.0 * share.across * K(d, 1);
 }
 
-line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, const RelaxationParameters& how) {
+line_solvers::FilmTerms film_terms(const core::Patch& grid, const kernel::Kernel& kernel,
+                                   const RelaxationParameters& how) {
   line_solvers::FilmTerms terms;
   const int reach = how.reach;
   terms.reach = reach;
@@ -32,14 +32,15 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, cons
     const auto k = static_cast<std::size_t>(d);
     if (grid.domain.line) {
       const double zero_at = std::max(how.line_zero, 2.0 * grid.hx());
-      terms.K[k] = elastic * (kernel::line_influence(d, grid.hx()) + grid.hx() * std::log(zero_at));
-      terms.delta_K[k] = elastic * kernel::distributed_line_influence(d, grid.hx());
+      terms.K[k] = kernel.factor * (kernel::line_influence(kernel, d, grid.hx()) + grid.hx() * std::log(zero_at));
+      terms.delta_K[k] = kernel.factor * kernel::distributed_line_influence(kernel, d, grid.hx());
       continue;
     }
-    terms.K[k] = elastic * kernel::influence(d, 0, grid.hx(), grid.hy());
-    terms.K_across[k] = elastic * kernel::influence(d, 1, grid.hx(), grid.hy());
-    terms.delta_K[k] = elastic * (core::stretched(grid) ? stretched_influence(d, grid)
-                                                        : kernel::distributed_influence(d, 0, grid.hx(), grid.hy()));
+    terms.K[k] = kernel.factor * kernel::influence(kernel, d, 0, grid.hx(), grid.hy());
+    terms.K_across[k] = kernel.factor * kernel::influence(kernel, d, 1, grid.hx(), grid.hy());
+    terms.delta_K[k] =
+        kernel.factor * (core::stretched(grid) ? stretched_influence(kernel, d, grid)
+                                               : kernel::distributed_influence(kernel, d, 0, grid.hx(), grid.hy()));
   }
   return terms;
 }
@@ -87,8 +88,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .changes = {zero_changes(), zero_changes()},
           .thread_work = WorkSpace(threads, std::move(work)),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
-                                           problem.geometry.elastic),
-          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation),
+                                           problem.geometry.kernel),
+          .film_terms = film_terms(grid, problem.geometry.kernel, parameters.relaxation),
           .boundary = points_of_boundary(problem, grid),
           .corrector = {}};
 }
@@ -188,7 +189,7 @@ void take_line_zero(Hierarchy& hierarchy, double line_zero) {
   RelaxationParameters how = hierarchy.parameters.relaxation;
   how.line_zero = line_zero;
   for (Level& level : hierarchy.levels)
-    if (level.grid.domain.line) level.film_terms = film_terms(level.grid, hierarchy.problem.geometry.elastic, how);
+    if (level.grid.domain.line) level.film_terms = film_terms(level.grid, hierarchy.problem.geometry.kernel, how);
 }
 
 double share_of_supply(const Hierarchy& hierarchy, const Level& level) {

@@ -1,5 +1,6 @@
 #pragma once
 // The problem to solve, and one grid with its fields.
+#include <cstdlib>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "core/quadratic_form.hpp"
 #include "film/half_points.hpp"
 #include "film/model.hpp"
+#include "kernel/kernel.hpp"
 #include "line_solvers/film_terms.hpp"
 #include "mlmi/deformation.hpp"
 #include "multigrid/work_space.hpp"
@@ -23,7 +25,7 @@ namespace ehl::multigrid {
 struct Geometry {
   core::QuadraticForm gap{0.5, 0.0, 0.5};      ///< of the undeformed bodies
   core::QuadraticForm outline{1.0, 0.0, 1.0};  ///< 1 along the edge of the dry contact
-  double elastic = mlmi::circular_factor;      ///< factor of K*P
+  kernel::Kernel kernel{};                     ///< of the deformation, K*P
 };
 /// True if the problem is symmetric about Y = 0.
 inline bool symmetric(const Geometry& geometry) { return !geometry.gap.oblique(); }
@@ -205,6 +207,12 @@ inline double rigid_gap(const Geometry& geometry, const core::Patch& grid, doubl
   const double X = grid.X(i);
   const double Y = grid.Y(j);
   return H00 + XX * X * X + (XY * X + YY * Y) * Y;
+}
+
+/// dH_ij/dP_kl at the distances |i - k|, |j - l| <= 1 that the relaxations contain; along a line up to their reach.
+inline double film_response(const Level& level, int d_x, int d_y = 0) {
+  const auto k = static_cast<std::size_t>(std::abs(d_x));
+  return d_y == 0 ? level.film_terms.K[k] : level.film_terms.K_across[k];
 }
 
 }  // namespace ehl::multigrid

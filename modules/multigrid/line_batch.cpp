@@ -163,7 +163,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     if constexpr (follows)
       for (int q = -reach; q <= reach; ++q)
         row.a[static_cast<std::size_t>(line_solvers::BandRow<reach>::lower + q)] -=
-            (1.0 - d[q]) * of_epsilon.across * level.film_terms.K_across[static_cast<std::size_t>(std::abs(q))];
+            (1.0 - d[q]) * of_epsilon.across * film_response(level, q, 1);
     LaneMask fixed = outside;
     // Without these identity rows the solution would be no fixed point of the relaxation.
     fixed |= reynolds::stays_dry(cavitation, P.own, point.r);

@@ -159,7 +159,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   const double crossover2 = crossover * crossover;
   const double squeeze = hierarchy.transport.squeeze;
   const Lanes far_single =
-      core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze + how_.far_squeeze_of_zone * squeeze);
+      core::broadcast(how_.far_squeeze * film_response(level, 0) * squeeze + how_.far_squeeze_of_zone * squeeze);
   const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
   const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {

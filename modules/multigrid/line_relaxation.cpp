@@ -147,7 +147,7 @@ void AlongLine<reach>::choose_kind() {
   const double crossover = crossover_on(hierarchy_, grid_, how_);
   const double crossover2 = crossover * crossover;
   const Lanes far_single =
-      core::broadcast(how_.far_squeeze * level_.film_terms.K[0] * squeeze + how_.far_squeeze_of_zone * squeeze);
+      core::broadcast(how_.far_squeeze * film_response(level_, 0) * squeeze + how_.far_squeeze_of_zone * squeeze);
   const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
   for_vectors(1, grid_.nx - 1, [&](int i) {
     const auto [low, high] = range_at(i);

@@ -40,7 +40,7 @@ void Equations::make_scale() {
     const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
-      const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
+      const double dq = level_.rho_bar(i, j) * multigrid::film_response(level_, 0);
       scale_[index(i, j)] = 1.0 / (reynolds::total(e) + c0 * dq);
     }
   }
@@ -78,7 +78,7 @@ void Equations::residual(std::span<const double> u, std::span<double> F) {
 }
 
 void Equations::linearize(std::span<const double> u) {
-  const double self = level_.film_terms.K[0];
+  const double self = multigrid::film_response(level_, 0);
   const film::Model& model = hierarchy_.problem.film;
   film::Buffers buffers = film::make_buffers(model, grid().nodes_y());
   const auto none = std::span<double>{};
@@ -154,7 +154,7 @@ double Equations::half_point_change(bool along_x, int i, int j, At at) const {
 
 void Equations::linearize_half_points() {
   const core::Patch& grid = level_.grid;
-  const double self = level_.film_terms.K[0];
+  const double self = multigrid::film_response(level_, 0);
   const auto write = [&](bool along_x, int i, int j, core::Field& before, core::Field& behind, core::Field& dH00) {
     const auto alone = [&](int here_i, int here_j) {
       return [=, this](int ki, int kj) {

@@ -146,7 +146,7 @@ FarPoint FarField::at(double X, double Y) const {
   FarPoint point = toward(X / r, Y / r);
   point.wedge *= r;
   point.unruptured *= r;
-  point.yielding = yielding * of_.deformation / r;
+  point.yielding = yielding * (of_.deformation / r + by_coatings(r));
   return point;
 }
 
@@ -172,7 +172,8 @@ double FarField::P_of_line(double X, double H, const FarState& state) const {
   const double deformation = state.load * of_.deformation;
   double q = 0.0;
   for (const auto& [u, weight] : rule) {
-    const double film = H + of_.gap.XX * X * X * (1.0 / (u * u) - 1.0) + deformation * std::log(u);
+    const double film = H + of_.gap.XX * X * X * (1.0 / (u * u) - 1.0) + deformation * std::log(u) +
+                        state.load * (by_coatings(-X / u) - by_coatings(-X));
     q += weight * (film - state.flow) / (film * film * film * u * u);
   }
   q *= -of_.lambda * state.speed * X;
@@ -184,7 +185,8 @@ double FarField::load_outside_of_line(const FarState& state) const {
   double load = 0.0;
   for (const auto& [u, weight] : rule) {
     const double X = of_.domain.X_a / u;
-    const double H = state.H00 + of_.gap.XX * X * X - state.load * of_.deformation * std::log(-X);
+    const double H =
+        state.H00 + of_.gap.XX * X * X - state.load * of_.deformation * std::log(-X) + state.load * by_coatings(-X);
     load -= weight * P_of_line(X, H, state) * X / u;
   }
   return load;
@@ -226,11 +228,12 @@ void FarField::make_stations(const core::Grid& domain) {
       const FarPoint direction = toward(c, s);
       for (const auto& [share, weight] : along) {
         const double u = nearest * share;
-        stations_.push_back({.point = {direction.wedge / u, direction.squeeze, direction.unruptured / u,
-                                       yielding * of_.deformation * u},
-                             .gap = of_.gap.at(c, s) / (u * u),
-                             .deformation = of_.deformation * u,
-                             .weight = times * width * angle_weight * nearest * weight / (u * u * u)});
+        const double deformation = of_.deformation * u + by_coatings(1.0 / u);
+        stations_.push_back(
+            {.point = {direction.wedge / u, direction.squeeze, direction.unruptured / u, yielding * deformation},
+             .gap = of_.gap.at(c, s) / (u * u),
+             .deformation = deformation,
+             .weight = times * width * angle_weight * nearest * weight / (u * u * u)});
       }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 // The pressure far from the contact, where the bodies are practically rigid, in closed form.
+#include <functional>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -18,6 +19,8 @@ struct FarFieldOf {
   double deformation = 0.0;
   rheology::ViscosityLaw viscosity;  ///< of the oil; its compressibility is neglected
   core::Grid domain{};               ///< contains the origin; for load_outside()
+  /// What coatings on the bodies add to the deformation at the distance r; empty: none.
+  std::function<double(double r)> by_coatings{};
 };
 
 /// The quantities of a far field that change while a contact is solved, or in time.
@@ -73,6 +76,8 @@ class FarField {
   /// Integral of P over the plane outside the domain, in units of p_h a^2. cost: some 700 evaluations of P, half as
   /// many if the problem is symmetric about Y = 0.
   double load_outside(const FarState& state) const;
+  /// FarFieldOf::by_coatings(r), or 0.
+  double by_coatings(double r) const { return of_.by_coatings ? of_.by_coatings(r) : 0.0; }
   /// Angle of the line downstream of which the film is ruptured, from the upstream X axis, on the side of positive Y.
   double rupture_angle() const;
 

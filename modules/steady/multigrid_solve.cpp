@@ -23,8 +23,7 @@ constexpr double widest_step = 2.5;
 core::Patch patch_to_compute_on(const Scene& scene, const multigrid::Parameters& parameters) {
   const core::Grid& grid = scene.grid;
   if (grid.line) return grid;
-  if (!scene.use_symmetry || !multigrid::symmetric(geometry_of(scene.shape)) || grid.Y_a != -grid.Y_b ||
-      grid.ny % 2 != 0)
+  if (!scene.use_symmetry || !multigrid::symmetric(geometry_of(scene)) || grid.Y_a != -grid.Y_b || grid.ny % 2 != 0)
     return grid;
   const auto all = multigrid::grids_below(grid, parameters);
   const auto halves = multigrid::grids_below(core::lower_half(grid), parameters);
@@ -46,12 +45,7 @@ int first_cells(int cells, const Scene& scene) {
 
 std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
   if (!scene.far_field) return std::nullopt;
-  const multigrid::Geometry geometry = geometry_of(scene.shape);
-  return reynolds::FarField({.gap = geometry.gap,
-                             .lambda = scene.lambda,
-                             .deformation = geometry.elastic * contact::load(scene.shape),
-                             .viscosity = scene.viscosity,
-                             .domain = scene.grid});
+  return far_field(scene, contact::load(scene.shape), scene.grid);
 }
 
 reynolds::Transport transport_of(const Scene& scene) {
@@ -70,15 +64,18 @@ double deformation_by_outside(const multigrid::Hierarchy& hierarchy) {
   if (!grid.line || !problem.far_field) return 0.0;
   const reynolds::FarState state{
       .H00 = hierarchy.H00, .speed = 1.0 / hierarchy.far_motion.mobility, .flow = hierarchy.far_motion.flow};
+  const kernel::Kernel& kernel = problem.geometry.kernel;
+  const double deformation = kernel.factor * problem.load.value_or(0.0);
   constexpr int parts = 200;  // of X_a/X, by the midpoint rule
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {
     const double u = (k + 0.5) / parts;
     const double X = grid.X_a / u;
-    const double H = hierarchy.H00 + problem.geometry.gap.XX * X * X - 0.5 * std::log(-X);
-    sum -= problem.far_field->P(problem.far_field->at(X, 0.0), H, state) * std::log(-X) * -X / (u * parts);
+    const double K = kernel::at_distance(kernel, -X);
+    const double H = hierarchy.H00 + problem.geometry.gap.XX * X * X + deformation * K;
+    sum += problem.far_field->P(problem.far_field->at(X, 0.0), H, state) * K * -X / (u * parts);
   }
-  return problem.geometry.elastic * sum;
+  return kernel.factor * sum;
 }
 
 multigrid::LevelObserver observer_of(const Scene& scene) {
@@ -103,8 +100,29 @@ std::vector<double> observed(const Scene& scene, const multigrid::Hierarchy& hie
                                 .less_tau = given(less_tau)});
 }
 
-multigrid::Geometry geometry_of(const contact::Ellipse& shape) {
-  return {contact::gap(shape), contact::outline(shape), contact::elastic_factor(shape)};
+multigrid::Geometry geometry_of(const Scene& scene) {
+  const contact::Ellipse& shape = scene.shape;
+  return {.gap = contact::gap(shape),
+          .outline = contact::outline(shape),
+          .kernel = {.plane = contact::line(shape) && !contact::roller(shape),
+                     .factor = contact::elastic_factor(shape) * scene.coatings.stiffness,
+                     .coatings = scene.coatings.parts}};
+}
+
+reynolds::FarField far_field(const Scene& scene, double load, const core::Grid& domain) {
+  const multigrid::Geometry geometry = geometry_of(scene);
+  const double deformation = geometry.kernel.factor * load;
+  std::function<double(double)> by_coatings;
+  if (!geometry.kernel.coatings.empty())
+    by_coatings = [deformation, kernel = geometry.kernel](double r) {
+      return deformation * kernel::by_coatings(kernel, r);
+    };
+  return reynolds::FarField({.gap = geometry.gap,
+                             .lambda = scene.lambda,
+                             .deformation = deformation,
+                             .viscosity = scene.viscosity,
+                             .domain = domain,
+                             .by_coatings = std::move(by_coatings)});
 }
 
 bool held_by(int cells, const Scene& scene) {
@@ -143,7 +161,7 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
       .cavitation = scene.supply ? reynolds::Cavitation::mass_conserving : reynolds::Cavitation::nonnegative_pressure,
       .supply = scene.supply,
       .supply_share = scene.supply_share,
-      .geometry = geometry_of(scene.shape),
+      .geometry = geometry_of(scene),
       .far_field = far_field_of(scene),
       .surface = scene.surface,
       .dry = scene.dry};

@@ -13,7 +13,9 @@ namespace ehl::steady {
 bool held_by(int cells, const Scene& scene);
 
 /// The bodies of a scene in the form that the multigrid needs.
-multigrid::Geometry geometry_of(const contact::Ellipse& shape);
+multigrid::Geometry geometry_of(const Scene& scene);
+/// The closed far field around a domain. in: the load that deforms the bodies, in units of p_h a^2.
+reynolds::FarField far_field(const Scene& scene, double load, const core::Grid& domain);
 /// Initial H00: that of the dry contact plus the expected central film, or plus a tenth of it on stretched cells.
 double first_H00(const Scene& scene);
 

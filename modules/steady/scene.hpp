@@ -10,6 +10,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "film/model.hpp"
+#include "kernel/kernel.hpp"
 #include "mlmi/deformation.hpp"
 #include "multigrid/parameters.hpp"
 #include "reynolds/wedge.hpp"
@@ -65,11 +66,18 @@ struct SolvedFilm {
   const core::Field* less_tau = nullptr;  ///< of the sliding stress, where the pressure's own flow thins; none: 1
 };
 
+/// Coatings on the bodies. E' of the scales (M, L, a, p_h) is that of uncoated bodies as compliant as these.
+struct Coatings {
+  double stiffness = 1.0;                   ///< E' of the scales over that of the bodies without their coatings
+  std::vector<kernel::SmoothPart> parts{};  ///< of the kernel; none: no coatings
+};
+
 struct Scene {
   double M = 0.0;       ///< Moes' load parameter: for starting values, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: for the same purposes
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
   contact::Ellipse shape;
+  Coatings coatings{};
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
   /// Writes S(X, Y), the contribution of surfaces at rest to the gap, in a^2/R, as the mean over each node's cell.

@@ -87,9 +87,11 @@ Physics dry_physics(const DryInput& input) {
   const ElasticContact& contact = *input.contact;
   physics.language = Language::si;
   SiInput si;
-  si.contact.load = contact.load;
-  si.contact.radius = contact.radius;
-  si.contact.E_prime = contact.E_prime;
+  si.contact.load = contact.bodies.load;
+  si.contact.radius = contact.bodies.radius;
+  si.contact.E_prime = contact.bodies.E_prime;
+  si.E_prime_uncoated = contact.bodies.E_prime_uncoated;
+  si.coatings = contact.bodies.coatings;
   si.hertz = contact.hertz;
   physics.si = si;
   physics.p_h = contact.hertz.p_h;

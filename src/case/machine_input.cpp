@@ -11,7 +11,19 @@ namespace {
 
 // True for the keys of the deck that describe the bodies; they are allowed with any machine.
 bool of_the_bodies(const deck::Key& key) {
-  static const std::vector<std::string> names{"E1", "nu1", "E2", "nu2", "E_prime", "Sq1", "Sq2"};
+  static const std::vector<std::string> names{"E1",
+                                              "nu1",
+                                              "E2",
+                                              "nu2",
+                                              "E_prime",
+                                              "Sq1",
+                                              "Sq2",
+                                              "coating1_E",
+                                              "coating1_nu",
+                                              "coating1_thickness",
+                                              "coating2_E",
+                                              "coating2_nu",
+                                              "coating2_thickness"};
   return key.section == "contact" && std::ranges::find(names, key.name) != names.end();
 }
 

@@ -108,6 +108,8 @@ SiInput si_input(const contact::Input& input, const rheology::Oil& oil) {
   si.u2 = input.u2;
   si.Sq1 = input.Sq1;
   si.Sq2 = input.Sq2;
+  si.E_prime_uncoated = input.bodies.E_prime_uncoated;
+  si.coatings = input.bodies.coatings;
   return si;
 }
 
@@ -199,8 +201,7 @@ Physics physical_input(deck::Deck& deck) {
 std::optional<ElasticContact> elastic_contact(deck::Deck& deck) {
   const std::optional<contact::Bodies> bodies = contact::read_bodies(deck);
   if (!bodies || !deck.errors.empty()) return std::nullopt;
-  ElasticContact contact{bodies->load, bodies->radius, bodies->E_prime, {}};
-  contact.hertz = contact::hertz(contact.load, contact.radius, contact.E_prime);
+  ElasticContact contact{*bodies, contact::hertz(bodies->load, bodies->radius, bodies->E_prime)};
   check_pressure({deck, "contact"}, "load", contact.hertz.p_h);
   return contact;
 }

@@ -23,6 +23,8 @@ struct SiInput {
   double u2 = 0.0;
   double Sq1 = std::numeric_limits<double>::quiet_NaN();  ///< roughness that the deck states [m]; NaN: none
   double Sq2 = std::numeric_limits<double>::quiet_NaN();
+  double E_prime_uncoated = 0.0;            ///< of the bodies without their coatings [Pa]
+  std::vector<kernel::Coating> coatings{};  ///< thickness in m
 };
 
 /// The total load of a contact [N]; for a line contact the load per length [N/m].
@@ -52,9 +54,7 @@ Physics physical_input(deck::Deck& deck);
 
 /// The elastic contact alone, for bodies without lubricant.
 struct ElasticContact {
-  double load = 0.0;     ///< [N]
-  double radius = 0.0;   ///< [m]
-  double E_prime = 0.0;  ///< [Pa]
+  contact::Bodies bodies{};
   contact::Hertz hertz{};
 };
 

@@ -12,8 +12,9 @@ std::vector<deck::Unavailable> unavailable() {
       "there is no such section: the roughness heights are Sq1 and Sq2 of [contact], and the shape of a roughness is "
       "given in [surface1] or [surface2]";
   const std::string coating =
-      "coatings are not available: one that is much thinner than the contact is wide does not change film and "
-      "pressure, so give E and nu of the body below it";
+      "there is no such section: give coating1_E, coating1_nu and coating1_thickness in [contact], and E1, nu1, E2, "
+      "nu2 "
+      "of the bodies";
   const std::string grease =
       "greases are not available: give the base oil in [lubricant], and [supply] if the inlet lacks oil";
   const std::string wear =
@@ -56,8 +57,6 @@ std::vector<deck::Unavailable> unavailable() {
           {"contact", "p_h", p_h},
           {"contact", "Ra1", Ra},
           {"contact", "Ra2", Ra},
-          {"contact", "coating1_E", coating},
-          {"contact", "coating2_E", coating},
           {"motion", "spin", spin},
           {"motion", "u_side", spin},
           {"gear", "helix_angle", spur},

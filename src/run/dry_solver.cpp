@@ -16,6 +16,7 @@
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
 #include "run/solver.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -34,6 +35,7 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   problem.deformation = input.scene.deformation;
   problem.parameters = input.dry->parameters;
   problem.threads = input.scene.threads;
+  problem.kernel = steady::geometry_of(input.scene).kernel;
   dry::Solution& solution = computed.dry.emplace();
   solution = dry::solve(problem, [&](const dry::Progress& now) {
     return progress.show(fraction(now, problem.parameters.tolerance),
@@ -54,8 +56,8 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 }
 
 std::string contact_lines(const ElasticContact& contact) {
-  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.load, length(contact.radius),
-                     pressure_in_GPa(contact.E_prime)) +
+  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.bodies.load, length(contact.bodies.radius),
+                     pressure_in_GPa(contact.bodies.E_prime)) +
          "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure_in_GPa(contact.hertz.p_h) +
          ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
 }

@@ -4,6 +4,7 @@
 namespace ehl::program {
 
 Effect elliptic_effect();
+Effect coating_effect();
 Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();
@@ -18,6 +19,7 @@ Effect toy_effect();
 std::vector<Effect> listed_effects() {
   std::vector<Effect> all;
   all.push_back(elliptic_effect());
+  all.push_back(coating_effect());
   all.push_back(transient_effect());
   all.push_back(body_effect());
   all.push_back(surfaces_effect());

@@ -59,8 +59,9 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
     const double boundary = grid.X(i), ends = std::min(1.0, std::abs(boundary) / parameters.meniscus);
     for (const auto& [share, weight] : rule) {
       const double u = ends + (1.0 - ends) * share, X = boundary / u;
-      const double H =
-          film.H(i, 1) + outside.gap.XX * (X * X - boundary * boundary) + outside.deformation * std::log(u);
+      const double H = film.H(i, 1) + outside.gap.XX * (X * X - boundary * boundary) +
+                       outside.deformation * std::log(u) + outside.field.by_coatings(std::abs(X)) -
+                       outside.field.by_coatings(std::abs(boundary));
       part(X, H, u, (1.0 - ends) * weight * std::abs(boundary) / (u * u));
     }
   };
@@ -125,7 +126,8 @@ class PointQuadrature {
     return std::min(to_x, to_y);
   }
   double film(double X, double Y) const {
-    return outside_.state.H00 + outside_.gap.at(X, Y) + outside_.deformation / std::hypot(X, Y);
+    return outside_.state.H00 + outside_.gap.at(X, Y) + outside_.deformation / std::hypot(X, Y) +
+           outside_.field.by_coatings(std::hypot(X, Y));
   }
   double P(double X, double Y) const { return outside_.field.P(outside_.field.at(X, Y), film(X, Y), outside_.state); }
 

@@ -51,8 +51,8 @@ Friction friction_of(const steady::Scene& scene, const steady::SolvedFilm& film,
       parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
     return friction_of(of, parameters);
   }
-  const double deformation = contact::elastic_factor(scene.shape) * of.load;
-  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, film.grid});
+  const double deformation = steady::geometry_of(scene).kernel.factor * of.load;
+  const reynolds::FarField field = steady::far_field(scene, of.load, film.grid);
   Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
   if (film.grid.line) outside.state = state_upstream(field, scene, film);
   of.outside = &outside;

@@ -33,12 +33,12 @@ void lay(const Profile& profile, steady::Scene& scene) {
 }
 
 dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
-  const multigrid::Geometry geometry = steady::geometry_of(scene.shape);
+  const multigrid::Geometry geometry = steady::geometry_of(scene);
   dry::Problem problem{.grid = grid,
                        .gap = core::Field(grid),
                        .load = contact::load(scene.shape),
                        .threads = scene.threads,
-                       .elastic = geometry.elastic,
+                       .kernel = geometry.kernel,
                        .outline = geometry.outline};
   scene.surface(grid, problem.gap);
   for (int i = 0; i <= grid.nx; ++i)

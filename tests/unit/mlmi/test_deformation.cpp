@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_line_contact_deforms_as_hertz_said) {
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) P(i, j) = hertz(grid.X(i), 0.0);
   for (const Method method : {Method::mlmi, Method::fft, Method::direct}) {
-    mlmi::Deformation(grid, {.method = method}, 1, 1.0 / ehl::core::pi).evaluate(P, w);
+    mlmi::Deformation(grid, {.method = method}, 1, ehl::kernel::half_plane(1.0 / ehl::core::pi)).evaluate(P, w);
     double worst = 0.0;
     for (int i = 0; i <= grid.nx; ++i) {
       const double X = grid.X(i);
@@ -110,10 +110,10 @@ BOOST_AUTO_TEST_CASE(multilevel_sums_along_a_line_are_the_direct_sum) {
   Field P(grid), truth(grid), w(grid);
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) P(i, j) = hertz(grid.X(i), 0.0) + (i % 3 == 0 ? 0.1 : 0.0);
-  mlmi::Deformation(grid, {.method = Method::direct}, 1, 1.0).evaluate(P, truth);
+  mlmi::Deformation(grid, {.method = Method::direct}, 1, ehl::kernel::half_plane(1.0)).evaluate(P, truth);
   for (const auto& [order, tolerance] : {std::pair{4, 1e-4}, {6, 1e-5}, {8, 2e-6}}) {
     const mlmi::Parameters parameters{.order = order, .patch_along = 12, .coarsenings = 3};
-    mlmi::Deformation(grid, parameters, 1, 1.0).evaluate(P, w);
+    mlmi::Deformation(grid, parameters, 1, ehl::kernel::half_plane(1.0)).evaluate(P, w);
     const double error = ehl::core::max_abs_difference(w, truth) / ehl::core::max_abs(truth);
     BOOST_TEST_MESSAGE("order " << order << ": " << error << " (tolerance " << tolerance << ")");
     BOOST_TEST(error < tolerance);

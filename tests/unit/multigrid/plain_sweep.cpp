@@ -123,8 +123,8 @@ class Sweep {
   /// The film that the Gauss-Seidel changes around a point displace, per change of the point itself.
   double far_squeeze(int i, int j) const {
     if (is_distributive(i, j)) return 0.0;
-    const double film =
-        single_by_epsilon(i, j) ? parameters_.far_squeeze * level_.film_terms.K[0] : parameters_.far_squeeze_beside;
+    const double film = single_by_epsilon(i, j) ? parameters_.far_squeeze * multigrid::film_response(level_, 0)
+                                                : parameters_.far_squeeze_beside;
     return film * problem_.transport.squeeze * level_.rho_bar(i, j);
   }
 

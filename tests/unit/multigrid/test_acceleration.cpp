@@ -20,7 +20,7 @@ namespace {
 multigrid::Hierarchy solved(const Grid& grid, Random& random, double steepness = 0.0) {
   multigrid::Problem problem;
   problem.film.given_epsilon = [steepness](double X, double) { return std::exp(steepness * X); };
-  problem.geometry.elastic = 0.0;
+  problem.geometry.kernel.factor = 0.0;
   problem.cavitation = ehl::reynolds::Cavitation::none;
   problem.load.reset();
   multigrid::Parameters parameters;

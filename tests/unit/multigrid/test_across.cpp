@@ -32,7 +32,7 @@ multigrid::Hierarchy on(const Patch& patch, const multigrid::Problem& problem, i
 multigrid::Problem linear(double epsilon) {
   multigrid::Problem problem;
   problem.film.given_epsilon = [epsilon](double X, double Y) { return epsilon * std::exp(X + 3.0 * Y); };
-  problem.geometry.elastic = 0.0;
+  problem.geometry.kernel.factor = 0.0;
   problem.cavitation = ehl::reynolds::Cavitation::none;
   problem.load.reset();
   return problem;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(epsilon_follows_the_pressures_of_a_station) {
     problem.film.viscosity = ehl::rheology::Barus{12.0};
     problem.film.density = ehl::rheology::Incompressible{};
     problem.film.lambda *= 1e-9;
-    problem.geometry.elastic = 0.0;
+    problem.geometry.kernel.factor = 0.0;
     problem.cavitation = ehl::reynolds::Cavitation::none;
     problem.load.reset();
     multigrid::Hierarchy hierarchy = on(domain, problem);
