@@ -146,16 +146,16 @@ Friction friction_of(friction::Parameters parameters, const steady::Scene& scene
                     .thinning = scene.thinning,
                     .I0 = film.I0,
                     .less_tau = film.less_tau,
-                    .load = contact::load(scene.shape),
-                    .gap = contact::gap(scene.shape),
+                    .load = contact::load(scene.contact.shape),
+                    .gap = contact::gap(scene.contact.shape),
                     .lambda = scene.lambda,
                     .starved = bool(scene.supply)};
   if (!oil_outside(scene)) {
     if (!scene.supply && std::isinf(parameters.meniscus))
-      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
+      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.contact.shape).X);
     return friction::friction_of(of, parameters);
   }
-  const double deformation = contact::elastic_factor(scene.shape) * of.load;
+  const double deformation = contact::elastic_factor(scene.contact.shape) * of.load;
   const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, film.grid});
   friction::Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
   if (film.grid.line) outside.state = state_upstream(field, scene, film);

@@ -31,13 +31,13 @@ thermal::Setup setup_of(const Case& input) {
 // Shares of the progress: of the isothermal film in a film with heat, and of the starved film next to its flooded one.
 constexpr double share_of_isothermal = 0.2, share_of_starved = 0.6;
 
-steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& setup,
+steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& setup, const heat::Tuning& tuning,
                                    const steady::ProgressCallback& progress) {
   scene.supply = {};
   scene.adjoint_errors = false;
   steady::Solution cold = steady::solve(scene, multigrid::part_of(progress, 0.0, share_of_isothermal));
   if (!cold.converged) return cold;
-  return heat::solve(scene, setup, cold, multigrid::part_of(progress, share_of_isothermal, 1.0)).film;
+  return heat::solve(scene, setup, tuning, cold, multigrid::part_of(progress, share_of_isothermal, 1.0)).film;
 }
 
 void take_friction(const Case& input, const steady::Solution& film, HeatResult& result) {
@@ -70,7 +70,8 @@ FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const 
   const friction::Friction isothermal_friction = friction_of(input, before, nullptr);
   result.mu_isothermal = isothermal_friction.sliding;
   result.unlikely_isothermal = friction::unlikely(isothermal_friction);
-  result.found = heat::solve(scene, setup_of(input), before, multigrid::part_of(progress, share_of_isothermal, 1.0));
+  result.found = heat::solve(scene, setup_of(input), input.tuning.heat, before,
+                             multigrid::part_of(progress, share_of_isothermal, 1.0));
   if (result.found.undone) result.found.film.failed_check += advice_for_undone(input, before);
   const std::optional<steady::Starvation> isothermal = before.starvation;
   solution.film = std::move(result.found.film);
@@ -102,7 +103,7 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
   const auto go_on = [&](const steady::Scene& one, const steady::Solution& before,
                          const steady::ProgressCallback& part) -> std::optional<steady::Solution> {
     HeatResult result{.mu_isothermal = NAN, .Hc_isothermal = NAN, .Hm_isothermal = NAN};
-    result.found = heat::solve(alone(one), setup_of(input), before, part);
+    result.found = heat::solve(alone(one), setup_of(input), input.tuning.heat, before, part);
     steady::Solution film = std::move(result.found.film);
     if (!shown(one)) return film.converged ? std::optional(std::move(film)) : std::nullopt;
     went_on = film.converged;
@@ -112,11 +113,12 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
     return film;
   };
   const double share = 1.0 / (scene.passes.number + 1.0);
-  const steady::Solution flooded = flooded_with_heat(scene, setup_of(input), multigrid::part_of(progress, 0.0, share));
+  const steady::Solution flooded =
+      flooded_with_heat(scene, setup_of(input), input.tuning.heat, multigrid::part_of(progress, 0.0, share));
   last.film = steady::solve_passes(scene, steady::carried_at_centre(scene, flooded), find, go_on,
                                    multigrid::part_of(progress, share, 1.0));
   last.film.starvation = steady::starvation_of(scene, last.film, flooded);
-  steady::add_errors_of_supply(last.film.passes, last.film.error_bars);
+  steady::add_errors_of_supply(input.scene.tuning, last.film.passes, last.film.error_bars);
   last.film.warnings = steady::warnings_of(scene, last.film);
   last.film.seconds = core::now() - began;
   last.film.starvation->seconds = last.film.seconds - flooded.seconds - (last.heat ? last.heat->found.seconds : 0.0);
@@ -131,9 +133,10 @@ FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const st
   const HeatResult* heat = solution.heat ? &*solution.heat : nullptr;
   if (heat == nullptr) return solution;
   const double seconds = solution.film.starvation->seconds + heat->found.seconds;
-  solution.film.starvation = steady::starvation_of(
-      scene, solution.film,
-      flooded_with_heat(scene, setup_of(input), multigrid::part_of(progress, share_of_starved, 1.0)));
+  solution.film.starvation =
+      steady::starvation_of(scene, solution.film,
+                            flooded_with_heat(scene, setup_of(input), input.tuning.heat,
+                                              multigrid::part_of(progress, share_of_starved, 1.0)));
   solution.film.starvation->seconds = seconds;
   solution.film.warnings = steady::warnings_of(scene, solution.film);
   return solution;

@@ -33,10 +33,10 @@ void lay(const Profile& profile, steady::Scene& scene) {
 }
 
 dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
-  const multigrid::Geometry geometry = steady::geometry_of(scene.shape);
+  const multigrid::Geometry geometry = steady::geometry_of(scene.contact.shape);
   dry::Problem problem{.grid = grid,
                        .gap = core::Field(grid),
-                       .load = contact::load(scene.shape),
+                       .load = contact::load(scene.contact.shape),
                        .threads = scene.threads,
                        .elastic = geometry.elastic,
                        .outline = geometry.outline};
