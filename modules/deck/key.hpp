@@ -58,6 +58,7 @@ struct Section {
   std::string meaning{};
   std::vector<std::string> called_by{};  ///< keys of the section that enable it, one is enough; none: every deck has it
   std::string effect{};                  ///< name of the effect; empty: every deck has the section
+  bool on_request = false;               ///< listed only if it is asked for by name
 };
 
 /// A capability that this version lacks and users may look for: a section (empty name), a key, or a word of a key.

@@ -89,8 +89,9 @@ void check_headings(Deck& deck, const Document& document) {
     const std::vector<std::string>& callers = section->called_by;
     empty.add([&] {
       return where() + "a section without a key has no influence: remove it, or give " +
-             (callers.empty() ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
-                              : joined(callers, " or "));
+             (section->on_request ? "one of those that `ehl keys " + heading.section + "` lists"
+              : callers.empty()   ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
+                                  : joined(callers, " or "));
     });
   }
 }
@@ -104,10 +105,12 @@ std::string about_unknown(const Deck& deck, const Assignment& given) {
     if (key.name == given.name) home = key.section;
   if (given.section.empty())
     return said(given) + "a key before the first [section]" + (home.empty() ? "" : ": it belongs below [" + home + "]");
-  if (find_section(deck.catalogue, given.section) != nullptr) {
+  if (const Section* section = find_section(deck.catalogue, given.section)) {
     const std::vector<std::string> names = names_in(deck.catalogue, given.section);
     const std::string hint = home.empty() ? did_you_mean(given.name, names) : "it belongs below [" + home + "]. ";
-    return said(given) + "unknown key: " + hint + "Keys of [" + given.section + "] are " + joined(names, ", ");
+    const std::string list = section->on_request ? "`ehl keys " + given.section + "` lists the keys"
+                                                 : "Keys of [" + given.section + "] are " + joined(names, ", ");
+    return said(given) + "unknown key: " + hint + list;
   }
   return said(given) + unknown_section(deck.catalogue, given.section);
 }

@@ -93,6 +93,7 @@ void throw_unknown(const Catalogue& catalogue, const std::string& selection) {
 std::string list_keys(const Catalogue& catalogue, const std::string& selection) {
   std::string text;
   for (const Section& section : catalogue.sections) {
+    if (section.on_request && selection.empty()) continue;
     std::string entries;
     for (const Key& key : catalogue.keys)
       if (key.section == section.name &&
@@ -109,6 +110,7 @@ std::string commented_deck(const Catalogue& catalogue) {
       "# A complete deck: every key with its meaning. Lines that begin with '# ' before a key are alternatives,\n"
       "# or values that are chosen for the case if the line stays commented out. `ehl keys` explains more.\n";
   for (const Section& section : catalogue.sections) {
+    if (section.on_request) continue;
     std::string lines;
     bool any_active = false;
     for (const Key& key : catalogue.keys) {

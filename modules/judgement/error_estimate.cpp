@@ -7,17 +7,6 @@ namespace ehl::judgement {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Safety factors with two levels and with more; 1.25 is also Roache's factor for three grids. [bench: safety]
-constexpr double safety_of_two = 1.5;
-constexpr double safety = 1.25;
-/// The last change is the difference of cancelling errors if it is smaller by this power of two than the scheme's order
-/// predicts from the change before it. [bench: cancelled_change]
-constexpr double cancelled_change = 2.5;
-/// Error of the first-order wedge over h/Hm^(2/3). [bench: first_order_share]
-constexpr double first_order_share = 0.35;
-/// Upper bound on the error of the second-order wedge over (h/Hm^(2/3))^2, for a single grid.
-/// [bench: error_of_one_grid]
-constexpr double second_order_share = 0.85;
 
 // Mesh size over the width of the zones in which the film forms; infinite for a film that is not positive.
 double step_in_zones(double h, double Hm) {
@@ -26,7 +15,7 @@ double step_in_zones(double h, double Hm) {
 
 }  // namespace
 
-ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least,
+ErrorEstimate estimate_error(const Tuning& tuning, std::span<const double> values, double scheme_order, double least,
                              std::optional<double> slowest_order) {
   const std::size_t n = values.size();
   if (n < 2) return {nan, nan};
@@ -38,11 +27,12 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   if (n > 2)
     order = std::isfinite(observed) ? std::clamp(observed, slowest_order.value_or(lowest_order), scheme_order)
                                     : lowest_order;
-  const double factor = n > 2 ? safety : safety_of_two;
+  const double factor = n > 2 ? tuning.safety : tuning.safety_of_two;
   double change = std::abs(last_change);
   if (n > 2) {
     const double before = std::abs(values[n - 2] - values[n - 3]);
-    if (change < before / std::exp2(scheme_order + cancelled_change)) {
+    // A change that is far smaller than the scheme's order predicts is the difference of cancelling errors.
+    if (change < before / std::exp2(scheme_order + tuning.cancelled_change)) {
       // Such changes have no order, and the next change may be as large as the one before.
       change = before / std::exp2(scheme_order);
       order = lowest_order;
@@ -55,27 +45,30 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   return {std::max(error, least), observed};
 }
 
-FilmErrors errors_beside_meniscus(std::span<const double> Hc, std::span<const double> Hm) {
+FilmErrors errors_beside_meniscus(const Tuning& tuning, std::span<const double> Hc, std::span<const double> Hm) {
   const std::size_t n = Hc.size();
   if (n < 2) return {nan, nan};
   const auto change = [](std::span<const double> of, std::size_t k) {
     return std::abs((of[k] - of[k - 1]) / of.back());
   };
-  const double of_Hm = n > 2 ? std::max(change(Hm, n - 1), 0.5 * change(Hm, n - 2)) : safety_of_two * change(Hm, n - 1);
-  constexpr double share_of_Hm = 0.2;
-  return {(n > 2 ? safety : safety_of_two) * change(Hc, n - 1) / 3.0 + share_of_Hm * of_Hm, of_Hm};
+  const double of_Hm =
+      n > 2 ? std::max(change(Hm, n - 1), 0.5 * change(Hm, n - 2)) : tuning.safety_of_two * change(Hm, n - 1);
+  return {(n > 2 ? tuning.safety : tuning.safety_of_two) * change(Hc, n - 1) / 3.0 + tuning.share_of_Hm * of_Hm, of_Hm};
 }
 
-double first_order_floor(double h, double Hm) { return first_order_share * step_in_zones(h, Hm); }
+double first_order_floor(const Tuning& tuning, double h, double Hm) {
+  return tuning.first_order_share * step_in_zones(h, Hm);
+}
 
 double third_order_floor(double h, double Hm, double share) {
   const double step = step_in_zones(h, Hm);
   return share * step * step;
 }
 
-double error_of_one_grid(double h, double Hm, double scheme_order) {
+double error_of_one_grid(const Tuning& tuning, double h, double Hm, double scheme_order) {
   const double step = step_in_zones(h, Hm);
-  return scheme_order > 1.0 ? second_order_share * step * step : first_order_share * step * std::max(1.0, step);
+  return scheme_order > 1.0 ? tuning.second_order_share * step * step
+                            : tuning.first_order_share * step * std::max(1.0, step);
 }
 
 Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure) {

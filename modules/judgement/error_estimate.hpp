@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "judgement/tuning.hpp"
+
 namespace ehl::judgement {
 
 struct ErrorEstimate {
@@ -22,25 +24,24 @@ struct ErrorEstimate {
 /// factor, 1.25 for three values or more and 1.5 for two. [bench: safety]
 /// in: slowest_order replaces half the scheme's order as the lower bound of an observed order.
 /// out: never below `least`.
-ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0,
-                             std::optional<double> slowest_order = {});
+ErrorEstimate estimate_error(const Tuning& tuning, std::span<const double> values, double scheme_order,
+                             double least = 0.0, std::optional<double> slowest_order = {});
 
 /// Lower bound on the relative error of the first-order wedge, 0.35 h/Hm^(2/3), where Hm^(2/3) is the width of the
-/// zones in which the film forms (steady/resolution.hpp). A second-order part of opposite sign may hide that error from
+/// zones in which the film forms (steady/scales.hpp). A second-order part of opposite sign may hide that error from
 /// the differences of coarse grids. [bench: first_order_share]
 /// in: h mesh size, Hm > 0 minimum film there. out: infinite for a film that is not positive.
-double first_order_floor(double h, double Hm);
+double first_order_floor(const Tuning& tuning, double h, double Hm);
 
 /// Lower bounds on the relative errors of upstream3, in units of (h/Hm^(2/3))^2. The errors of Hm change sign from grid
 /// to grid, so that the grid sequence may show none. [bench: third_order_floor]
-inline constexpr double third_order_floor_of_Hc = 0.01;
-inline constexpr double third_order_floor_of_Hm = 0.15;
+/// in: share, Tuning::third_order_floor_of_Hc or third_order_floor_of_Hm.
 double third_order_floor(double h, double Hm, double share);
 
 /// Rough bound on the relative error of Hc and Hm on a single grid. With s = h/Hm^(2/3) it is 0.85 s^2 for the
 /// second-order wedge and 0.35 s max(1, s) for the first-order one. [bench: error_of_one_grid]
 /// in: as above. out: infinite for a film that is not positive.
-double error_of_one_grid(double h, double Hm, double scheme_order);
+double error_of_one_grid(const Tuning& tuning, double h, double Hm, double scheme_order);
 
 /// Relative errors of the last Hc and Hm (Hm between the nodes) with a meniscus at the inlet. Its place within a cell
 /// differs from level to level, so that the changes alternate. Hm: the last change, or half of the one before. Hc: the
@@ -49,7 +50,7 @@ double error_of_one_grid(double h, double Hm, double scheme_order);
 struct FilmErrors {
   double Hc = 0.0, Hm = 0.0;
 };
-FilmErrors errors_beside_meniscus(std::span<const double> Hc, std::span<const double> Hm);
+FilmErrors errors_beside_meniscus(const Tuning& tuning, std::span<const double> Hc, std::span<const double> Hm);
 
 struct Extrapolation {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -57,14 +58,11 @@ struct Extrapolation {
   double relative_error = unknown;
 };
 
-/// Share of the correction by extrapolation that always counts as uncertain. The order of Hc is observed reliably; part
-/// of the error of the fitted minimum depends on where between the nodes the minimum lies.
-inline constexpr double unsure_of_Hc = 0.05;
-inline constexpr double unsure_of_Hm = 0.2;
-
 /// Richardson extrapolation v_k + (v_k - v_{k-1})/(2^p - 1), where p is the scheme's order. Its error is the change
-/// since the extrapolation one level below, but at least the share `unsure` of the correction. out: NaN with fewer than
-/// three values, if that error is as large as the value, or if the extrapolated value has the other sign.
+/// since the extrapolation one level below, but at least the share `unsure` of the correction: Tuning::unsure_of_Hc or
+/// unsure_of_Hm. (The order of Hc is observed reliably; part of the error of the fitted minimum depends on where
+/// between the nodes the minimum lies.) out: NaN with fewer than three values, if that error is as large as the value,
+/// or if the extrapolated value has the other sign.
 Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure);
 
 }  // namespace ehl::judgement

@@ -9,36 +9,10 @@
 namespace ehl::judgement {
 namespace {
 
-/// Largest estimated algebraic error of Hc and Hm, as a share of the estimated discretization error. Both are
-/// estimates, so the limit is half of the promised tenth.
-constexpr double algebraic_share = 0.05;
-/// Largest relative residual and load error of a solution at the level of the discretization error.
-constexpr double loose_residual = 4e-3;
-constexpr double loose_load_error = 1e-4;
-/// Largest mass imbalance around the contact, relative to the flow through it: a share of the discretization error of
-/// Hc, but never less than the second number. [bench: flow_share]
-constexpr double flow_share = 0.25;
-constexpr double least_flow_licence = 1e-4;
-/// Largest complementarity violation: residual, relative to the wedge term, of a cavitated node that calls for
-/// pressure.
-constexpr double largest_dry_violation = 2e-2;
-/// Required relative residual if the discretization error is unknown.
-constexpr double default_tolerance = 1e-6;
-/// Bounds on the convergence factor in the error estimate; Hm follows the residual with delay.
-constexpr double best_factor = 0.25;
-constexpr double worst_factor = 0.9;
-/// Lower bound for the first cycle of a level, whose start may by chance be closer to the solution than its result.
-constexpr double best_factor_at_first = 0.5;
 /// Relative rounding error of Hc and Hm.
 constexpr double rounding = 1e-11;
 /// An oil content below zero by more than this share of the film is more than rounding.
 constexpr double rounding_of_content = 1e-10;
-/// The cycles on the first grid may stop when the last one changed Hc and Hm by less than this, far less than such a
-/// grid's discretization error, after at least this many cycles.
-constexpr double settled_change = 1e-3;
-constexpr int fewest_first_cycles = 3;
-/// A state with this relative residual solves the equations, whatever else is wrong with it.
-constexpr double solved_residual = 1e-5;
 
 std::string text(double value) { return std::isfinite(value) ? fmt::format("{:.2e}", value) : "not finite"; }
 
@@ -62,78 +36,83 @@ std::string unmet_residual(const Measures& now, double residual, double load_err
   return {};
 }
 
-std::string unmet_balance(const Measures& now, double error_Hc) {
-  if (!(now.dry_violation <= largest_dry_violation))
+std::string unmet_balance(const Tuning& tuning, const Measures& now, double error_Hc) {
+  if (!(now.dry_violation <= tuning.largest_dry_violation))
     return "complementarity is violated: a cavitated node has the residual " + text(now.dry_violation) +
-           " of the wedge term, above " + text(largest_dry_violation) + "; raise max_cycles";
-  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, largest_licence) : largest_licence;
-  const double allowed = std::max(flow_share * licence, least_flow_licence);
+           " of the wedge term, above " + text(tuning.largest_dry_violation) + "; raise max_cycles";
+  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, tuning.largest_licence) : tuning.largest_licence;
+  const double allowed = std::max(tuning.flow_share * licence, tuning.least_flow_licence);
   if (!(std::abs(now.flow_imbalance) <= allowed))
     return "mass is not conserved around the contact: the imbalance is " + text(now.flow_imbalance) +
            " of the flow through it, above " + text(allowed) + "; raise max_cycles or use a finer grid";
   return {};
 }
 
-std::string unmet_share(const char* name, double left, double discretization_error) {
-  if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
+std::string unmet_share(const Tuning& tuning, const char* name, double left, double discretization_error) {
+  if (left <= std::max(tuning.algebraic_share * std::min(discretization_error, tuning.largest_licence), rounding))
+    return {};
   return std::string(name) + " still has an algebraic error of about " + text(left) +
          ", too large compared with its discretization error " + text(discretization_error) + "; raise max_cycles";
 }
 
-bool settled(int cycle, const Measures& before, const Measures& now) {
+bool settled(const Tuning& tuning, int cycle, const Measures& before, const Measures& now) {
   const auto change = [](double was, double is) { return std::abs((is - was) / is); };
-  return cycle >= fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < settled_change &&
-         change(before.Hm, now.Hm) < settled_change;
+  return cycle >= tuning.fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < tuning.settled_change &&
+         change(before.Hm, now.Hm) < tuning.settled_change;
 }
 
 }  // namespace
 
-double predicted_error(const LastCycle& cycle, double Measures::*value) {
-  const double best = cycle.first ? best_factor_at_first : best_factor;
-  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, worst_factor);
+// A first cycle's start may by chance be closer to the solution than its result; Hm follows the residual with delay.
+double predicted_error(const Tuning& tuning, const LastCycle& cycle, double Measures::*value) {
+  const double best = cycle.first ? tuning.best_factor_at_first : tuning.best_factor;
+  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, tuning.worst_factor);
   const double after = cycle.after.*value;
   return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
 }
 
-std::string unmet_film(const LastCycle& cycle) {
+std::string unmet_film(const Tuning& tuning, const LastCycle& cycle) {
   std::string unmet = impossible(cycle.after);
-  if (unmet.empty()) unmet = unmet_share("Hc", predicted_error(cycle, &Measures::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share("Hm", predicted_error(cycle, &Measures::Hm), cycle.error_Hm);
+  if (unmet.empty()) unmet = unmet_share(tuning, "Hc", predicted_error(tuning, cycle, &Measures::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share(tuning, "Hm", predicted_error(tuning, cycle, &Measures::Hm), cycle.error_Hm);
   return unmet;
 }
 
-std::string unmet_oil(const Measures& now) {
+std::string unmet_oil(const Tuning& tuning, const Measures& now) {
   if (now.least_content < -rounding_of_content * std::abs(now.Hc))
     return "the oil content is negative at its lowest, Q = " + text(now.least_content) +
            ": the mesh is too coarse for this film; use more cells";
-  if (std::abs(now.oil_imbalance) <= largest_oil_imbalance) return {};
+  if (std::abs(now.oil_imbalance) <= tuning.largest_oil_imbalance) return {};
   return "oil is not conserved: the imbalance is " + text(now.oil_imbalance) + " of the inflow, above " +
-         text(largest_oil_imbalance) + "; raise max_cycles or use a finer grid";
+         text(tuning.largest_oil_imbalance) + "; raise max_cycles or use a finer grid";
 }
 
-std::string unmet_check(const LastCycle& cycle, double tolerance) {
+std::string unmet_check(const Tuning& tuning, const LastCycle& cycle, double tolerance) {
   const Measures& now = cycle.after;
   if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
   const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
-  const double asked = std::isfinite(tolerance) ? tolerance : default_tolerance;
-  std::string unmet =
-      by_tolerance ? unmet_residual(now, asked, asked) : unmet_residual(now, loose_residual, loose_load_error);
-  if (unmet.empty()) unmet = unmet_balance(now, cycle.error_Hc);
+  const double asked = std::isfinite(tolerance) ? tolerance : tuning.default_tolerance;
+  std::string unmet = by_tolerance ? unmet_residual(now, asked, asked)
+                                   : unmet_residual(now, tuning.loose_residual, tuning.loose_load_error);
+  if (unmet.empty()) unmet = unmet_balance(tuning, now, cycle.error_Hc);
   if (by_tolerance) return unmet;
-  return unmet.empty() ? unmet_film(cycle) : unmet;
+  return unmet.empty() ? unmet_film(tuning, cycle) : unmet;
 }
 
-Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last) {
+Verdict judged(const Tuning& tuning, const StoppingCriterion& criterion, int cycle, const LastCycle& last) {
   const Measures& now = last.after;
   if (criterion.aim == Aim::residual) return {unmet_residual(now, criterion.tolerance, criterion.tolerance)};
-  if (criterion.aim != Aim::solution && now.residual > criterion.of_start && !no_solution(now))
+  if (criterion.aim != Aim::solution && now.residual > criterion.of_start && !no_solution(tuning, now))
     return {unmet_residual(now, criterion.of_start, std::numeric_limits<double>::infinity())};
-  if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
+  if (criterion.aim == Aim::first_start && settled(tuning, cycle, last.before, now)) return {};
   if (std::isnan(criterion.tolerance) && cycle < criterion.planned) return {"the planned cycles are not finished"};
   const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
-  return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance), no_solution(now)};
+  return {only_a_start ? unmet_film(tuning, last) : unmet_check(tuning, last, criterion.tolerance),
+          no_solution(tuning, now)};
 }
 
-bool no_solution(const Measures& now) { return now.residual < solved_residual && !(now.Hm > 0.0); }
+bool no_solution(const Tuning& tuning, const Measures& now) {
+  return now.residual < tuning.solved_residual && !(now.Hm > 0.0);
+}
 
 }  // namespace ehl::judgement

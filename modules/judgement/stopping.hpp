@@ -4,14 +4,9 @@
 #include <string>
 
 #include "judgement/measures.hpp"
+#include "judgement/tuning.hpp"
 
 namespace ehl::judgement {
-
-/// Largest discretization error that the checks use: a larger estimate is too uncertain to stop earlier.
-inline constexpr double largest_licence = 0.05;
-
-/// Largest oil imbalance relative to the inflow, with mass conservation: far above rounding.
-inline constexpr double largest_oil_imbalance = 1e-10;
 
 /// Two states of the finest level, one cycle apart, and the estimated discretization error.
 struct LastCycle {
@@ -25,7 +20,7 @@ struct LastCycle {
 /// Estimated algebraic error of Hc or Hm, relative: the last cycle's change times q/(1 - q). q is the convergence
 /// factor of that cycle, limited to [0.25, 0.9].
 /// A first cycle counts with at least q = 0.5. in: value = &Measures::Hc or &Measures::Hm.
-double predicted_error(const LastCycle& cycle, double Measures::*value);
+double predicted_error(const Tuning& tuning, const LastCycle& cycle, double Measures::*value);
 
 /// The first check that the state fails, as a sentence with numbers and a remedy; empty if it passes all.
 ///   Film positive and P >= 0 everywhere.
@@ -35,15 +30,15 @@ double predicted_error(const LastCycle& cycle, double Measures::*value);
 ///   Complementarity: no cavitated node that calls for pressure with a residual above 2e-2 of the wedge term.
 ///   Mass conserved around the contact (Measures::flow_imbalance) to a quarter of the discretization error of Hc, or to
 ///   1e-4 if that is larger.
-std::string unmet_check(const LastCycle& cycle, double tolerance);
+std::string unmet_check(const Tuning& tuning, const LastCycle& cycle, double tolerance);
 
-/// The failed check of the oil of a steady film, as a sentence; empty if it balances to largest_oil_imbalance and the
-/// oil content is nowhere negative.
-std::string unmet_oil(const Measures& now);
+/// The failed check of the oil of a steady film, as a sentence; empty if it balances to Tuning::largest_oil_imbalance
+/// and the oil content is nowhere negative.
+std::string unmet_oil(const Tuning& tuning, const Measures& now);
 
 /// The failed check of a level below the finest, whose solution is only a start: positive film, and the algebraic error
 /// of Hc and Hm as in unmet_check(); empty if it passes.
-std::string unmet_film(const LastCycle& cycle);
+std::string unmet_film(const Tuning& tuning, const LastCycle& cycle);
 
 /// The purpose of the cycles on a level.
 enum class Aim {
@@ -63,7 +58,7 @@ struct StoppingCriterion {
 };
 
 /// True if further cycles cannot help: the equations are solved, but by a film that is negative.
-bool no_solution(const Measures& now);
+bool no_solution(const Tuning& tuning, const Measures& now);
 
 struct Verdict {
   std::string unmet;  ///< the check that failed, empty if none
@@ -71,6 +66,6 @@ struct Verdict {
 };
 
 /// Applies the criterion to the states before and after a cycle, numbered from 1.
-Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last);
+Verdict judged(const Tuning& tuning, const StoppingCriterion& criterion, int cycle, const LastCycle& last);
 
 }  // namespace ehl::judgement

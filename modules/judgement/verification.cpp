@@ -6,7 +6,7 @@
 
 namespace ehl::judgement {
 
-Verification verification_of(const LastCycle& cycle) {
+Verification verification_of(const Tuning& tuning, const LastCycle& cycle) {
   const Measures& now = cycle.after;
   const auto change = [](double before, double after) { return std::abs((after - before) / after); };
   return {.residual = now.residual,
@@ -19,8 +19,8 @@ Verification verification_of(const LastCycle& cycle) {
           .load_error = now.load_error,
           .change_Hc = change(cycle.before.Hc, now.Hc),
           .change_Hm = change(cycle.before.Hm, now.Hm),
-          .algebraic_error_Hc = predicted_error(cycle, &Measures::Hc),
-          .algebraic_error_Hm = predicted_error(cycle, &Measures::Hm),
+          .algebraic_error_Hc = predicted_error(tuning, cycle, &Measures::Hc),
+          .algebraic_error_Hm = predicted_error(tuning, cycle, &Measures::Hm),
           .Hm = now.Hm,
           .Hm_X = now.Hm_X,
           .Hm_Y = now.Hm_Y,

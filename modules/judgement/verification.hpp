@@ -5,6 +5,7 @@
 namespace ehl::judgement {
 
 struct LastCycle;
+struct Tuning;
 
 /// Every number is NaN until a state has been examined.
 struct Verification {
@@ -30,6 +31,6 @@ struct Verification {
 };
 
 /// The numbers by which unmet_check() in stopping.hpp judges this cycle.
-Verification verification_of(const LastCycle& cycle);
+Verification verification_of(const Tuning& tuning, const LastCycle& cycle);
 
 }  // namespace ehl::judgement

@@ -8,9 +8,6 @@
 namespace ehl::multigrid {
 namespace {
 
-/// Number of stored states. [bench: krylov_states]
-constexpr std::size_t most = 4;
-
 /// The pressure change that r asks for: r over its derivative by the node's own pressure; zero where the node stays
 /// cavitated. (In r itself the line next to the boundary, whose epsilon is the largest, outweighs the edge of the
 /// spike. Its error is removed by the next relaxation, and combinations return to the same state.)
@@ -32,7 +29,7 @@ void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& as
 }  // namespace
 
 void Acceleration::remember(const Hierarchy& hierarchy, std::size_t l) {
-  if (kept_.size() < most)
+  if (kept_.size() < static_cast<std::size_t>(hierarchy.parameters.tuning.krylov_states))
     kept_.emplace_back();
   else
     std::rotate(kept_.begin(), kept_.begin() + 1, kept_.end());

@@ -14,27 +14,6 @@ namespace {
 
 using reynolds::Faces;
 
-/// The crossover of the hybrid relaxation is multiplied by share_of_stretch (hx/hy)^2 where that exceeds 1: for a
-/// change that is smooth along Y, K(0, 0) and K(0, 1) underestimate the response of the film more and more
-/// (tests/convergence/test_model_problems.cpp). The criterion is e_max (e_max/e_min), where the X sweep takes the root
-/// of the ratio: where epsilon varies by orders between nodes, its zones are thin. [bench: y_sweep_crossover]
-constexpr double share_of_stretch = 0.25;
-
-/// Damping of the Y sweep: the X sweep has already reduced this residual, and a spike along a diagonal would be
-/// corrected twice. [bench: y_sweep_damping]
-constexpr double weight_at_half_points = 0.7;
-/// Damping where epsilon at the nodes varies by orders (coarse grids): the mean of two nodes overshoots what the finer
-/// grid lets through. [bench: y_sweep_damping_steep]
-constexpr double weight_where_steep = 0.5;
-/// Ratio of e_min to e_max at a node below which this damping applies with epsilon at half points, too: the edge of a
-/// contact lies within a cell. Without it the lines next to the inlet chatter. [bench: y_sweep_edge]
-constexpr double fall_of_edge = 1e-4;
-
-/// Factor on K(0, 0) in the response of epsilon to the film at the edge of a contact on coarse grids (film_of_epsilon
-/// in line_batch.cpp says why epsilon must follow it). All of the edge changes at once, and the kernels along it sum to
-/// about twice K(0, 0). [bench: film_along_edge]
-constexpr double film_along_edge = 2.0;
-
 class StationAcross {
  public:
   StationAcross(const Hierarchy& hierarchy, Level& level, const RelaxationParameters& how)
@@ -46,8 +25,13 @@ class StationAcross {
         half_(level.grid.hx(), level.grid.hy()),
         stretch_(core::stretch(level.grid)),
         weight_single_(how.weight_single),
-        most_change_(how.most_change) {
-    crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
+        most_change_(how.most_change),
+        tuning_(hierarchy.parameters.tuning) {
+    // For a change that is smooth along Y, K(0, 0) and K(0, 1) underestimate the response of the film more and more
+    // with hx/hy (tests/convergence/test_model_problems.cpp). The criterion is e_max (e_max/e_min), where the X sweep
+    // takes the root of the ratio: where epsilon varies by orders between nodes, its zones are thin.
+    crossover_ =
+        std::max(1.0, tuning_.y_sweep_crossover * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
   }
 
   /// Solves the tridiagonal system of column i, from the boundary to the last line.
@@ -86,12 +70,17 @@ class StationAcross {
             std::max(stretch_ * std::max(e.west, e.east), std::max(e.south, e.north) / stretch_)};
   }
 
+  // The X sweep has already reduced this residual, and a spike along a diagonal would be corrected twice. Further
+  // damping where epsilon at the nodes varies by orders (coarse grids): the mean of two nodes overshoots what the finer
+  // grid lets through. It applies at half points, too, where the edge of a contact lies within a cell: the lines next
+  // to the inlet would chatter.
   double weight_of(const Faces<double>& e) const {
     const auto [low, high] = range_of(e);
+    const double steep = tuning_.y_sweep_damping_steep;
     if (at_half_points(level_))
-      return weight_single_ * weight_at_half_points * (low < fall_of_edge * high ? weight_where_steep : 1.0);
+      return weight_single_ * tuning_.y_sweep_damping * (low < tuning_.y_sweep_edge * high ? steep : 1.0);
     const double smooth = std::min(1.0, 2.0 * low / high);
-    return weight_single_ * (weight_where_steep + (1.0 - weight_where_steep) * smooth);
+    return weight_single_ * (steep + (1.0 - steep) * smooth);
   }
 
   RowAcross row_at(int i, int j, const ThreadWork& work) const {
@@ -122,7 +111,9 @@ class StationAcross {
       add_answers(i, j, e, row);
     } else {
       add_slopes(i, j, work, row);
-      row.own += film_along_edge * film_response(level_, 0) * answer_to_film_of_edge(i, j, e);
+      // All of the edge changes at once, and the kernels along it sum to about twice K(0, 0). (film_of_epsilon in
+      // line_batch.cpp says why epsilon must follow the film.)
+      row.own += tuning_.film_along_edge * film_response(level_, 0) * answer_to_film_of_edge(i, j, e);
     }
     return row;
   }
@@ -192,6 +183,7 @@ class StationAcross {
   double stretch_;
   double weight_single_;
   double most_change_;
+  const Tuning tuning_;
   double crossover_ = 0.0;
 };
 

@@ -6,16 +6,15 @@
 
 namespace ehl::multigrid {
 
-/// Changes between full and not full after which a node counts as chattering.
-inline constexpr int changes_of_chattering = 4;
-
 /// Range of residuals in which nodes chatter: below it they change by rounding, above it the edge of the film still
-/// moves. [bench: chattering_residuals]
-inline bool may_chatter(double residual) { return residual > 1e-7 && residual < 5e-2; }
+/// moves.
+inline bool may_chatter(const Tuning& tuning, double residual) {
+  return residual > tuning.chattering_least && residual < tuning.chattering_most;
+}
 
 /// Compares which nodes are full with the last call, and marks those that chatter. A node without pressure may be full.
 /// out: how many this call has marked; 0 without the mass-conserving model.
-int mark_chattering(Level& level);
+int mark_chattering(const Tuning& tuning, Level& level);
 
 /// Marks the nodes that chatter from one relaxation to the next, in a state that cycles no longer improve: a node may
 /// change within every cycle and be of the same kind after each. (Far from a solution relaxations change nodes that do

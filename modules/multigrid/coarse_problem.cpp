@@ -9,12 +9,6 @@
 namespace ehl::multigrid {
 namespace {
 
-/// The part of a point's coupling to its neighbours that the elastic film provides, in units of epsilon/h^2.
-constexpr double elastic_coupling = 0.5;
-// Least share of the finer grid's film in epsilon on a coarse grid: a coarse film that falls to zero would cut the
-// contact off from its surroundings.
-constexpr double coarse_film_floor = 0.9;
-
 /// Shares of a residual that go to the four neighbours.
 using Shares = reynolds::Faces<double>;
 
@@ -94,8 +88,8 @@ void restrict_content(const Level& fine, Level& coarse) {
 }
 
 template <reynolds::Face face>
-void restrict_by_coupling(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
-  const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
+void restrict_by_coupling(const Level& fine, double elastic, int threads, core::Field& coarse) {
+  const Coupling<face> coupling(fine, elastic);
   const core::Field& r = fine.r;
   const bool across_alone = coarse.nodes_x() == r.nodes_x();
   const core::Patch grid = across_alone ? core::coarsened_across(fine.grid) : core::coarsened(fine.grid);
@@ -138,12 +132,18 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
   }
 }
 
+// The part of a point's coupling to its neighbours that the elastic film provides.
+double elastic_coupling(const Hierarchy& hierarchy, const Level& fine) {
+  return hierarchy.parameters.tuning.elastic_coupling *
+         reynolds::relative_strength(hierarchy.transport, fine.grid.hx());
+}
+
 // Interpolation weighted by face conductances. Columns that hold coarse points are interpolated along Y. In the columns
 // between, points on a line with coarse points are interpolated along X, the others from their four neighbours.
 template <reynolds::Face face>
-void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport, const core::Field& coarse,
-                         int threads, core::Field& correction) {
-  const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
+void prolong_by_coupling(const Level& fine, double elastic, const core::Field& coarse, int threads,
+                         core::Field& correction) {
+  const Coupling<face> coupling(fine, elastic);
   const core::Patch& grid = fine.grid;
   const int step = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // between columns with coarse points
   const int end_of_between = step == 1 ? 0 : grid.nx;                 // none between if all hold some
@@ -179,22 +179,25 @@ void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport
 void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const core::Field& coarse,
                         core::Field& correction) {
   const int threads = hierarchy.threads_on(fine.grid);
+  const double elastic = elastic_coupling(hierarchy, fine);
   const bool across_alone = coarse.nodes_x() == correction.nodes_x();
   if (fine.grid.domain.line || !(across_alone || hierarchy.problem.geometry.gap.oblique()))
     transfer::prolong_bilinear(coarse, correction, threads);
   else if (at_half_points(fine))
-    prolong_by_coupling<reynolds::Face::logmean>(fine, hierarchy.transport, coarse, threads, correction);
+    prolong_by_coupling<reynolds::Face::logmean>(fine, elastic, coarse, threads, correction);
   else
-    prolong_by_coupling<reynolds::Face::mean>(fine, hierarchy.transport, coarse, threads, correction);
+    prolong_by_coupling<reynolds::Face::mean>(fine, elastic, coarse, threads, correction);
 }
 
 }  // namespace
 
-void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
+void restrict_residual(const Hierarchy& hierarchy, const Level& fine, core::Field& coarse) {
+  const double elastic = elastic_coupling(hierarchy, fine);
+  const int threads = hierarchy.threads_on(fine.grid);
   if (at_half_points(fine))
-    restrict_by_coupling<reynolds::Face::logmean>(fine, transport, threads, coarse);
+    restrict_by_coupling<reynolds::Face::logmean>(fine, elastic, threads, coarse);
   else
-    restrict_by_coupling<reynolds::Face::mean>(fine, transport, threads, coarse);
+    restrict_by_coupling<reynolds::Face::mean>(fine, elastic, threads, coarse);
 }
 
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
@@ -212,7 +215,8 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
       take_slack(problem.cavitation, fine, coarse);
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r, left_to_relaxation(fine, coarse));
     coarse.role = Role::corrects;
-    coarse.finer->H_floor = coarse_film_floor;
+    // A coarse film that falls to zero would cut the contact off from its surroundings.
+    coarse.finer->H_floor = hierarchy.parameters.tuning.coarse_film_floor;
     coarse.H00_of_boundary = fine.H00_of_boundary;
     coarse.scheme = coarse_scheme_of(problem);
   }
@@ -237,7 +241,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     update_residual(hierarchy, coarse);
   }
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-  restrict_residual(fine, hierarchy.transport, threads, coarse.f);
+  restrict_residual(hierarchy, fine, coarse.f);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) coarse.f(i, j) -= coarse.r(i, j);
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);

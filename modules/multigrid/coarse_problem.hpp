@@ -27,6 +27,6 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
 /// spike), they keep the large residuals of the strongly coupled side from coarse points whose own equation is orders
 /// weaker and would give corrections that are orders too large. in: r and epsilon of `fine`. out: the interior of
 /// `coarse`.
-void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse);
+void restrict_residual(const Hierarchy& hierarchy, const Level& fine, core::Field& coarse);
 
 }  // namespace ehl::multigrid

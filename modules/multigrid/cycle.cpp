@@ -13,28 +13,6 @@
 namespace ehl::multigrid {
 namespace {
 
-/// Least number of relaxations of the coarsest grid in one cycle, all visits together; with fewer the force balance
-/// lags behind.
-constexpr int least_sweeps_per_cycle = 30;
-
-/// Cells along X for which the given number of relaxations solves the coarsest grid. The smoothest pressure needs a
-/// number that grows with the square of the cells. [bench: cells_of_coarsest_sweeps]
-constexpr double cells_of_coarsest_sweeps = 32.0;
-/// Number of lines for which it does so on stretched cells. There lines along X are solved exactly, and the smoothest
-/// pressure of a long inlet varies along Y. [bench: lines_of_coarsest_sweeps]
-constexpr double lines_of_coarsest_sweeps = 16.0;
-
-/// A visit of the coarsest grid that multiplies what is unsolved by more than `raised` is repeated with smaller
-/// weights. A new H00 may raise the residual a little; relaxations that oscillate around the edge of a contact of few
-/// cells raise it much more, and then the cycles stall. [bench: coarsest_raised]
-constexpr double raised = 2.0;
-constexpr double less_weight = 0.8;
-constexpr double least_weight = 0.5;
-
-/// Largest relative fall of the film at the centre in one visit of the coarsest grid. The pressure of a thick film
-/// reacts late, and without a limit H00 falls until the bodies meet. [bench: largest_fall]
-constexpr double largest_fall = 0.5;
-
 int visits_of_coarsest(Cycle kind, int l) {
   if (kind == Cycle::V || l < 2) return 1;
   return kind == Cycle::W ? 1 << (l - 1) : l;
@@ -68,18 +46,23 @@ double unsolved_share(Hierarchy& hierarchy, Level& level) {
          missing;  // nothing is transported if all points are cavitated
 }
 
+/// Relaxes the coarsest grid. A visit that multiplies what is unsolved is repeated with smaller weights: a new H00 may
+/// raise the residual a little, but relaxations that oscillate around the edge of a contact of few cells raise it much
+/// more, and then the cycles stall.
 void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
   const double before = unsolved_share(hierarchy, level);
   core::copy(level.P, level.correction);  // a copy; this field is free until the correction is made
   const double H00 = hierarchy.H00;
+  const Tuning& tuning = hierarchy.parameters.tuning;
+  const double back_off = tuning.coarsest_back_off;
   Parameters used = how;
   for (;;) {
     used.relaxation = lighter(how.relaxation, hierarchy.coarsest_weight);
     relax_with_force_balance(hierarchy, level, coarsest_sweeps, used);
-    const bool oscillates = !(unsolved_share(hierarchy, level) <= raised * before);
-    if (!oscillates || hierarchy.coarsest_weight * less_weight < least_weight) return;
-    hierarchy.coarsest_weight *= less_weight;
+    const bool oscillates = !(unsolved_share(hierarchy, level) <= tuning.coarsest_raised * before);
+    if (!oscillates || hierarchy.coarsest_weight * back_off < tuning.coarsest_least_weight) return;
+    hierarchy.coarsest_weight *= back_off;
     core::copy(level.correction, level.P);
     hierarchy.H00 = H00;
     follow_H00(hierarchy, level);
@@ -113,9 +96,14 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
     if (!once(*coarsest, *next)) ++below;
     coarsest = next;
   }
-  const int per_visit = std::max(how.coarsest_sweeps, least_sweeps_per_cycle / visits_of_coarsest(kind, below));
-  const double more = level.corrector.between ? coarsest->grid.domain.ny / lines_of_coarsest_sweeps
-                                              : coarsest->grid.nx / cells_of_coarsest_sweeps;
+  // With fewer relaxations in all visits together the force balance lags behind.
+  const Tuning& tuning = hierarchy.parameters.tuning;
+  const int per_visit =
+      std::max(how.coarsest_sweeps, tuning.coarsest_sweeps_per_cycle / visits_of_coarsest(kind, below));
+  // The smoothest pressure needs a number of relaxations that grows with the square of the cells. On stretched cells
+  // lines along X are solved exactly, and the smoothest pressure of a long inlet varies along Y.
+  const double more = level.corrector.between ? coarsest->grid.domain.ny / tuning.coarsest_lines
+                                              : coarsest->grid.nx / tuning.coarsest_cells;
   const double finer = std::max(1.0, more);
   cycle(hierarchy, level, kind, static_cast<int>(std::lround(per_visit * finer * finer)), how);
 }
@@ -124,8 +112,10 @@ void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps, co
   // Eq. (26) with the load at the new H00, where the load depends on H00.
   const double c = how.load_relaxation;
   const double share = c / (1.0 + c * (hierarchy.load_line.slope + hierarchy.outside_line.slope));
+  // The pressure of a thick film reacts late, and without a limit H00 falls until the bodies meet.
   const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);
-  const double least_H00 = Hc > 0.0 ? hierarchy.H00 - largest_fall * Hc : -std::numeric_limits<double>::infinity();
+  const double fall = hierarchy.parameters.tuning.largest_fall * Hc;
+  const double least_H00 = Hc > 0.0 ? hierarchy.H00 - fall : -std::numeric_limits<double>::infinity();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     relax_pressure(hierarchy, level, how.relaxation);
     if (hierarchy.problem.load) {

@@ -16,33 +16,8 @@
 namespace ehl::multigrid {
 namespace {
 
-/// Relative residual from which cycles do not recover.
-constexpr double hopeless_residual = 1e3;
-/// Cycles stall if the residual does not even halve (hardly_less) in this many of them since the last change of
-/// damping.
-constexpr int patience = 6;
-constexpr double hardly_less = 0.5;
-/// A poor cycle asks for more damping: its residual exceeds this share both of the residual one cycle before and of
-/// that two cycles before. The first settling_cycles after a change still feel the interpolation and do not count, nor
-/// do residuals near rounding.
-constexpr double poor_factor = 0.75;
-constexpr int settling_cycles = 2;
+/// Cycles with a residual near rounding are not judged by their convergence factor.
 constexpr double rounding_residual = 1e-10;
-constexpr double back_off_steep = 0.8;
-constexpr double least_steep = 0.6;
-constexpr double back_off_all = 0.8;
-constexpr double least_all = 0.5;
-
-/// Growth of the steep weight on stretched cells, which is small at first for states far from the solution: the
-/// convergence factor below which a cycle multiplies the weight, the multiplier, and its limit. The first poor cycle
-/// ends the growth for good, since weights that rise and fall spoil the Krylov acceleration.
-/// [bench: steep_weight_growth]
-constexpr double good_factor = 0.6;
-constexpr double growth_per_cycle = 1.25;
-constexpr double growth_limit = 1.4;
-
-/// During this many cycles a meniscus may still be moving to its position, which does not call for more damping.
-constexpr int on_its_way = 15;
 
 /// Number of nodes that are not full in the mass-conserving cavitation model; 0 in the others.
 int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
@@ -54,28 +29,29 @@ int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
 }
 
 /// Increases the damping by one step; false if it is at its limit.
-bool back_off(Damping& damping) {
-  if (damping.steep * back_off_steep >= least_steep)
-    damping.steep *= back_off_steep;
-  else if (damping.all * back_off_all >= least_all)
-    damping.all *= back_off_all;
+bool back_off(const Tuning& tuning, Damping& damping) {
+  if (damping.steep * tuning.back_off_steep >= tuning.least_steep)
+    damping.steep *= tuning.back_off_steep;
+  else if (damping.all * tuning.back_off_all >= tuning.least_all)
+    damping.all *= tuning.back_off_all;
   else
     return false;
   return true;
 }
 
-/// Growth factor of the steep weight on stretched cells.
+/// Growth factor of the steep weight on stretched cells, which is small at first for states far from the solution. The
+/// first poor cycle ends the growth for good, since weights that rise and fall spoil the Krylov acceleration.
 struct WeightGrowth {
   double factor = 1.0;
   bool rises = true;
 
   void end() { *this = {.factor = 1.0, .rises = false}; }
 
-  void behind_cycle(double left) {
-    if (left > poor_factor)
+  void behind_cycle(const Tuning& tuning, double left) {
+    if (left > tuning.poor_factor)
       end();
-    else if (rises && left < good_factor)
-      factor = std::min(growth_limit, factor * growth_per_cycle);
+    else if (rises && left < tuning.good_factor)
+      factor = std::min(tuning.growth_limit, factor * tuning.growth_per_cycle);
   }
 };
 
@@ -95,7 +71,8 @@ std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, ju
   } catch (const core::SolverError& error) {
     return error.what();
   }
-  return now.residual < hopeless_residual && std::isfinite(now.Hc) ? "" : "the cycles diverge";
+  return now.residual < hierarchy.parameters.tuning.hopeless_residual && std::isfinite(now.Hc) ? ""
+                                                                                               : "the cycles diverge";
 }
 
 // Krylov acceleration: takes the combination with the earlier states if it has the smaller residual.
@@ -135,7 +112,7 @@ judgement::Verdict close_or_leave(Hierarchy& hierarchy, std::size_t l, const Sta
   const bool closed = correct_mass(hierarchy, hierarchy.levels[l], before, relaxation);
   judgement::Verdict verdict;
   if (closed) verdict = look();
-  if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
+  if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(hierarchy.parameters.judgement, now);
   // A correction that fails leaves rough errors, which would make the next one fail again.
   if (closed && !verdict.unmet.empty()) {
     go_back(hierarchy, l, unclosed);
@@ -148,6 +125,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
                         const Damping& damping, const CycleObserver& observe) {
   CyclesResult result{.damping = damping};
   hierarchy.coarsest_weight = 1.0;
+  const Tuning& tuning = hierarchy.parameters.tuning;
   Damping& needed = result.damping;
   Parameters how = cautious(hierarchy.parameters, needed);
   const State start = state_of(hierarchy, l);
@@ -181,21 +159,21 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       states.forget();
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
-      if (needed.all * back_off_all < least_all) return result;
-      needed.all *= back_off_all;
+      if (needed.all * tuning.back_off_all < tuning.least_all) return result;
+      needed.all *= tuning.back_off_all;
       if (how.post == 0) needed.relax_after = true;
       growth.end();
       more_careful({});
       before = measures_of(hierarchy, l);
       continue;
     }
-    accelerates |= result.cycles > 1 && now.residual > rough_factor * before.residual &&
+    accelerates |= result.cycles > 1 && now.residual > tuning.rough_factor * before.residual &&
                    can_relax_across(hierarchy, hierarchy.levels[l]);
     if (accelerates) accelerate(hierarchy, l, states, now);
     const auto look = [&] {
       const DiscretizationError error = observe(result.cycles, now);
       result.last = {before, now, error.Hc, error.Hm, result.cycles == 1};
-      return judged(criterion, result.cycles, result.last);
+      return judged(hierarchy.parameters.judgement, criterion, result.cycles, result.last);
     };
     judgement::Verdict verdict = look();
     if (verdict.unmet.empty() && closes) verdict = close_or_leave(hierarchy, l, last, how.relaxation, now, look);
@@ -206,12 +184,12 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     }
     residuals.push_back(now.residual);
     const int count = dry_nodes(hierarchy.levels[l], cavitation);
-    const bool to_and_fro = count != dry && count == dry_before && now.residual > poor_factor * two_before;
-    if (count != dry && !to_and_fro && result.cycles <= on_its_way) residuals = {now.residual};
+    const bool to_and_fro = count != dry && count == dry_before && now.residual > tuning.poor_factor * two_before;
+    if (count != dry && !to_and_fro && result.cycles <= tuning.meniscus_moves) residuals = {now.residual};
     dry_before = std::exchange(dry, count);
     two_before = before.residual;
     const bool rough =
-        result.cycles > 1 && now.residual > rough_factor * before.residual && now.residual > rounding_residual;
+        result.cycles > 1 && now.residual > tuning.rough_factor * before.residual && now.residual > rounding_residual;
     if (rough && how.post == 0) {
       needed.relax_after = true;
       more_careful({now.residual});
@@ -219,12 +197,16 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       across = true;
       more_careful({now.residual});
     }
-    const std::size_t taken = residuals.size();
-    const bool stalled = taken > patience && now.residual > hardly_less * residuals[taken - 1 - patience];
-    const bool poor = taken > settling_cycles && now.residual > poor_factor * before.residual &&
-                      now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual;
+    // Stalled: the residual does not even halve in some cycles. Poor: it exceeds a share both of the residual one cycle
+    // before and of that two cycles before. The first cycles after a change of damping still feel the interpolation.
+    const auto taken = static_cast<int>(residuals.size());
+    const auto before_last = [&](int cycles) { return residuals[static_cast<std::size_t>(taken - 1 - cycles)]; };
+    const bool stalled = taken > tuning.patience && now.residual > tuning.hardly_less * before_last(tuning.patience);
+    const bool poor = taken > std::max(2, tuning.settling_cycles) &&
+                      now.residual > tuning.poor_factor * before.residual &&
+                      now.residual > tuning.poor_factor * before_last(2) && now.residual > rounding_residual;
     const bool chatters = (poor || stalled || to_and_fro) && criterion.aim == judgement::Aim::solution &&
-                          may_chatter(now.residual) &&
+                          may_chatter(tuning, now.residual) &&
                           find_chattering(hierarchy, hierarchy.levels[l], how.relaxation) > 0;
     if (chatters) {  // damping does not cure chattering nodes
       now = measures_of(hierarchy, l);
@@ -232,11 +214,11 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     } else if (stalled) {
       result.end = CyclesEnd::stalled;
       return result;
-    } else if (poor && back_off(needed)) {
+    } else if (poor && back_off(tuning, needed)) {
       more_careful({before.residual, now.residual});
     }
     if (stretched && result.cycles > 1) {
-      growth.behind_cycle(now.residual / before.residual);
+      growth.behind_cycle(tuning, now.residual / before.residual);
       choose_weights();
     }
     before = now;

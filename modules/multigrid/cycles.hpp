@@ -9,9 +9,6 @@
 
 namespace ehl::multigrid {
 
-/// Convergence factor above which a cycle counts as slow; run_cycles() lists the remedies. [bench: rough_factor]
-inline constexpr double rough_factor = 0.4;
-
 /// Damping in addition to that of the parameters.
 struct Damping {
   double all = 1.0;          ///< factor on every under-relaxation weight
@@ -39,7 +36,8 @@ struct CyclesResult {
 
 /// FAS cycles on level l, from its present state, until the criterion holds; with Aim::solution and the mass-conserving
 /// cavitation model until the global oil balance holds as well. Remedies:
-/// - a slow cycle (rough_factor): a relaxation after the correction if there is none, else on square cells a Y sweep;
+/// - a slow cycle (Tuning::rough_factor): a relaxation after the correction if there is none, else on square cells a Y
+/// sweep;
 ///   from then on Krylov acceleration (acceleration.hpp), where can_relax_across() [bench: krylov_states];
 /// - a residual that rises or hardly falls: a smaller weight where epsilon is steep, then smaller weights everywhere;
 /// - a state that is not finite, or hopeless: back to the initial state, with smaller weights everywhere; if none of

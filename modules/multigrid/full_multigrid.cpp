@@ -17,14 +17,11 @@ using judgement::Aim;
 using judgement::Measures;
 using judgement::StoppingCriterion;
 
-/// A meniscus moves by few cells per cycle, and the film in the contact hardly shows it. It reaches its position on the
-/// levels below the finest, where cycles are cheap: they run until the relative residual is below at_its_place, with at
-/// most to_its_place times extra_cycles.
-constexpr double at_its_place = 1e-2;
-constexpr int to_its_place = 4;
-
+/// The criterion of a level. A meniscus moves by few cells per cycle, and the film in the contact hardly shows it. It
+/// reaches its position on the levels below the finest, where cycles are cheap.
 StoppingCriterion criterion_of(const Run& run, std::size_t l) {
   const Parameters& parameters = run.hierarchy.parameters;
+  const Tuning& tuning = parameters.tuning;
   const int planned = l == run.plan.first ? std::max(run.plan.cycles, parameters.cycles) : parameters.cycles;
   if (l == run.finest())
     return {.aim = Aim::solution,
@@ -32,8 +29,8 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
             .most = std::max(parameters.max_cycles, planned),
             .tolerance = parameters.tolerance};
   const bool meniscus = reynolds::conserves(run.hierarchy.problem.cavitation);
-  const double of_start = meniscus ? at_its_place : std::numeric_limits<double>::infinity();
-  const int more = meniscus ? to_its_place * parameters.extra_cycles : 0;
+  const double of_start = meniscus ? tuning.meniscus_residual : std::numeric_limits<double>::infinity();
+  const int more = meniscus ? tuning.meniscus_cycles * parameters.extra_cycles : 0;
   if (l == run.plan.first)
     return {.aim = Aim::first_start, .planned = planned, .most = planned + more, .of_start = of_start};
   return {.aim = Aim::start,
@@ -50,7 +47,7 @@ DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
   const core::Patch& grid = run.hierarchy.levels[l].grid;
   if (l != run.finest() || std::isfinite(known.Hc) || !grid.domain.line) return known;
   const double order = reynolds::order(run.hierarchy.problem.transport.wedge);
-  const double bound = judgement::error_of_one_grid(grid.hx(), Hm, order);
+  const double bound = judgement::error_of_one_grid(run.hierarchy.parameters.judgement, grid.hx(), Hm, order);
   return bound < 1.0 ? known : DiscretizationError{bound, bound};
 }
 
@@ -63,12 +60,12 @@ double mean_factor(const std::vector<double>& residuals) {
 /// The mass-conserving model starts from a flooded solution; the supply is then reduced in steps, and the meniscus
 /// recedes with it. [bench: supply_steps]
 void reduce_supply(Run& run) {
-  constexpr int cycles_of_a_supply = 8;
-  constexpr double next_supply = 0.7;
   Hierarchy& hierarchy = run.hierarchy;
+  const Tuning& tuning = hierarchy.parameters.tuning;
   const std::size_t l = run.plan.first;
   Level& level = hierarchy.levels[l];
-  const StoppingCriterion criterion{.aim = Aim::first_start, .planned = cycles_of_a_supply, .most = cycles_of_a_supply};
+  const int planned = tuning.cycles_per_supply;
+  const StoppingCriterion criterion{.aim = Aim::first_start, .planned = planned, .most = planned};
   const auto cycles = [&] {
     const CyclesResult result =
         run_cycles(hierarchy, l, criterion, run.damping, [](int, const Measures&) { return DiscretizationError{}; });
@@ -80,8 +77,9 @@ void reduce_supply(Run& run) {
   double least = hierarchy.problem.supply(0.0);
   for (int j = 0; j <= level.grid.ny; ++j) least = std::min(least, hierarchy.problem.supply(level.grid.Y(j)));
   least *= share_of_supply(hierarchy, level);
-  constexpr double thin = 0.01;  // of the flooded film: thinner layers pass through unchanged
-  for (double supply = flooded; supply > std::max(least, thin * flooded); supply *= next_supply) {
+  // Layers that are much thinner than the film pass through unchanged.
+  const double thinnest = std::max(least, tuning.thinnest_supply * flooded);
+  for (double supply = flooded; supply > thinnest; supply *= tuning.next_supply) {
     hierarchy.least_supply = supply;
     supply_oil(hierarchy, level);
     cycles();
@@ -146,7 +144,7 @@ void solve_level(Run& run, std::size_t l) {
   };
   const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.damping, after_cycle);
   run.damping = result.damping;
-  record.verification = verification_of(result.last);
+  record.verification = verification_of(run.hierarchy.parameters.judgement, result.last);
   const std::string where = name_of_level(run.hierarchy, l) + ": ";
   if (result.end == CyclesEnd::diverged) throw core::SolverError(where + result.unmet);
   record.failed_check = result.unmet.empty() ? "" : where + result.unmet;

@@ -94,9 +94,6 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .corrector = {}};
 }
 
-/// Least number of lines of a correcting grid: fewer do not resolve an elongated contact. [bench: fewest_lines]
-constexpr int fewest_lines = 8;
-
 /// True if grids_below() coarsens this grid once more.
 bool goes_on(const core::Patch& grid, const Parameters& parameters) {
   const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
@@ -105,9 +102,9 @@ bool goes_on(const core::Patch& grid, const Parameters& parameters) {
 }
 
 /// The next coarser of the grids that correct a level with stretched cells: half the lines until the cells are square,
-/// then half of both.
+/// then half of both. Too few lines do not resolve an elongated contact.
 std::optional<core::Patch> next_correcting(const core::Patch& grid, const Parameters& parameters) {
-  if (grid.ny % 2 != 0 || grid.ny / 2 < fewest_lines) return std::nullopt;
+  if (grid.ny % 2 != 0 || grid.ny / 2 < parameters.tuning.fewest_lines) return std::nullopt;
   if (core::stretched(grid)) return core::coarsened_across(grid);
   if (goes_on(grid, parameters)) return core::coarsened(grid);
   return std::nullopt;

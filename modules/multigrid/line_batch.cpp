@@ -29,17 +29,16 @@ FilmStation film_station(const Level& level, int i, int j) {
 struct FilmOfEpsilon {
   Lanes own, west, east, across;
 };
-/// Share of the derivatives by the films of the neighbouring lines that the rows use, since these lines change in turn.
-/// [bench: share_of_lines_beside]
-constexpr double share_of_lines_beside = 0.3;
 
 /// Derivatives of r by the film through epsilon. On coarse grids the flux through the side of an elongated contact is
 /// the mean epsilon, that of a thick film outside, times nearly all of the pressure inside: that pressure is flux over
 /// epsilon, and epsilon follows the film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H, and
 /// the coarsest grid diverges. [bench: epsilon_follows_film]
-/// in: the arguments of poiseuille(): the factors of the faces, the pressures of the column and of its neighbours.
-FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::HalfInverseSquares& half, Lanes P_west,
-                              const Beside& P, Lanes P_east) {
+/// in: beside, the share of the derivatives by the films of the neighbouring lines that the rows use, since these lines
+/// change in turn; the arguments of poiseuille(): the factors of the faces, the pressures of the column and of its
+/// neighbours.
+FilmOfEpsilon film_of_epsilon(double beside, const Level& level, int i, int j, const reynolds::HalfInverseSquares& half,
+                              Lanes P_west, const Beside& P, Lanes P_east) {
   const Beside H = with_neighbours(level.H, i, j);
   const Beside eps = with_neighbours(eps_across(level), i, j);
   const auto slope = [](Lanes e, Lanes h) {
@@ -49,11 +48,10 @@ FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::
   const Lanes to_west = half.X * (P.own - P_west);
   const Lanes to_east = half.X * (P.own - P_east);
   const Lanes to_south = half.Y * (P.own - P.south), to_north = half.Y * (P.own - P.north);
-  return {
-      .own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
-      .west = at(i - 1) * to_west,
-      .east = at(i + 1) * to_east,
-      .across = share_of_lines_beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
+  return {.own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
+          .west = at(i - 1) * to_west,
+          .east = at(i + 1) * to_east,
+          .across = beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
 }
 
 /// True on the correcting grids of smooth steady ellipses. It slows down circular contacts with waves, and very hot
@@ -95,6 +93,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const DistributedShares shares = distributed_shares(grid);
+  const double film_beside = hierarchy.parameters.tuning.film_beside;
   const double share = shares.along;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   std::optional<reynolds::March<Lanes>> march;
@@ -118,7 +117,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     if constexpr (plain) {
       point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
       if constexpr (follows) {
-        of_epsilon = film_of_epsilon(level, i, j, half, P_west, P, P_east.own);
+        of_epsilon = film_of_epsilon(film_beside, level, i, j, half, P_west, P, P_east.own);
         point.c[0] += of_epsilon.own;
         point.c[1] += of_epsilon.west;
         point.c[3] = of_epsilon.east;

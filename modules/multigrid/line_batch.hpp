@@ -78,7 +78,7 @@ class LineCoefficients {
   void read(const Hierarchy& hierarchy, const Level& level, int j);
 
  private:
-  void read_answers(const Level& level, int j);
+  void read_answers(const Tuning& tuning, const Level& level, int j);
 
   ThreadWork& work_;
   const RelaxationParameters& how_;

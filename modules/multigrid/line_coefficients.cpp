@@ -90,16 +90,16 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
   return work;
 }
 
-void LineCoefficients::read_answers(const Level& level, int j) {
+void LineCoefficients::read_answers(const Tuning& tuning, const Level& level, int j) {
   const double least = reynolds::least_share(level.scheme.face);
   const OilFields& oil = level.oil;
   const bool thinned = oil.fluidity_across.nodes_x() > 0;
   const core::Field& phi_across = thinned ? oil.fluidity_across : oil.fluidity;
   const core::Field& a_across = thinned ? oil.log_viscosity_across : oil.log_viscosity;
-  // Share of the viscosity's derivatives by the pressures of neighbouring lines. Along a line, whose points are solved
-  // together, the row has all of them. A point at the top of a spike depends so little on its own pressure, and so much
-  // on those of its neighbours, that lines with the whole derivative across them diverge.
-  constexpr double across = 0.3;
+  // Along a line, whose points are solved together, the row has all of the viscosity's derivatives; across it, a share
+  // of them. A point at the top of a spike depends so little on its own pressure, and so much on those of its
+  // neighbours, that lines with the whole derivative across them diverge.
+  const double across = tuning.viscosity_beside;
   Lanes phi = own_lines(oil.fluidity, 1, j);
   Lanes a = own_lines(oil.log_viscosity, 1, j);
   auto west = film::answers(least, own_lines(oil.fluidity, 0, j), phi, own_lines(oil.log_viscosity, 0, j), a);
@@ -148,7 +148,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   using reynolds::Face;
   if (at_half_points(level)) {
     read(std::integral_constant<Face, Face::logmean>{}, std::true_type{});
-    read_answers(level, j);
+    read_answers(hierarchy.parameters.tuning, level, j);
   } else if (film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
     read(std::integral_constant<Face, Face::mean>{}, std::true_type{});
   } else {

@@ -10,24 +10,8 @@
 namespace ehl::multigrid {
 namespace {
 
-/// Largest mass defect over the flow; rounding is far below it. [bench: balanced_oil]
-constexpr double balanced = 5e-11;
 /// Implicit time step: largest further defect, over squeeze times all of the stored oil.
 constexpr double rounding = 1e-15;
-/// Most steps of the secant method; half of them usually reach rounding.
-constexpr int most_steps = 6;
-/// The correction by the inlet acts on pressures below this, which contribute little to the load and to the
-/// deformation.
-constexpr double of_inlet = 0.03;
-/// First step of the factor on the inlet pressure, far above rounding; its largest value; and the largest relative
-/// change of the film. The inlet comes first because a correction by the film alone moves the film too far.
-/// [bench: inlet_factor]
-constexpr double first_factor = 1e-6;
-constexpr double largest_factor = 0.01;
-constexpr double longest_step = 1e-3;
-/// First step back towards the state before the last cycle, whose defect is larger and has the other sign.
-/// [bench: first_step_back]
-constexpr double first_step_back = -0.15;
 
 bool lacks(const Hierarchy& hierarchy, const Level& level, int i, int j) {
   return !reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
@@ -42,12 +26,13 @@ struct SearchDirection {
   double least = 0.0, most = 0.0;
 };
 
-// The line from this state back to an earlier one. Between them no pressure is negative, and cavitated nodes stay so.
+// The line from this state back to an earlier one, whose defect is larger and has the other sign. Between them no
+// pressure is negative, and cavitated nodes stay so.
 SearchDirection direction_back_to(const State& before, Hierarchy& hierarchy, Level& level) {
   SearchDirection direction{.dP = core::Field(level.grid),
                             .dH = core::Field(level.grid),
                             .dH00 = hierarchy.H00 - before.H00,
-                            .first = first_step_back,
+                            .first = -hierarchy.parameters.tuning.first_step_back,
                             .least = -1.0};
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j)
@@ -61,17 +46,20 @@ SearchDirection direction_back_to(const State& before, Hierarchy& hierarchy, Lev
   return direction;
 }
 
-// The line of states with a factor on the pressure of the inlet, at the same load.
+// The line of states with a factor on the pressure of the inlet, at the same load. It acts on small pressures, which
+// contribute little to the load and to the deformation. It comes before the correction by the film, which alone moves
+// the film too far.
 SearchDirection direction_of_inlet(Hierarchy& hierarchy, Level& level) {
+  const Tuning& tuning = hierarchy.parameters.tuning;
   SearchDirection direction{.dP = core::Field(level.grid),
                             .dH = core::Field(level.grid),
-                            .first = first_factor,
-                            .least = -largest_factor,
-                            .most = largest_factor};
+                            .first = tuning.first_inlet_factor,
+                            .least = -tuning.largest_inlet_factor,
+                            .most = tuning.largest_inlet_factor};
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double P = level.P(i, j);
-      const double relative = P / of_inlet;
+      const double relative = P / tuning.inlet_pressure;
       direction.dP(i, j) = P / (1.0 + relative * relative);
     }
   const double share = core::interior_sum(level.grid, direction.dP) / core::interior_sum(level.grid, level.P);
@@ -100,7 +88,7 @@ double defect_per_film(const Hierarchy& hierarchy, const Level& level) {
 
 SearchDirection direction_of_film(const Hierarchy& hierarchy, const Level& level, double excess) {
   const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);
-  const double most = longest_step * std::abs(Hc);
+  const double most = hierarchy.parameters.tuning.longest_film_step * std::abs(Hc);
   return {.dH00 = 1.0, .first = -excess / defect_per_film(hierarchy, level), .least = -most, .most = most};
 }
 
@@ -122,6 +110,7 @@ void move_along(Hierarchy& hierarchy, Level& level, const SearchDirection& direc
 bool balanced_along(Hierarchy& hierarchy, Level& level, const SearchDirection& direction, double enough) {
   double excess = mass_defect(hierarchy, level);
   double t = 0.0, step = direction.first;
+  const int most_steps = hierarchy.parameters.tuning.balance_steps;
   for (int k = 0;
        k < most_steps && std::abs(excess) > enough && t + step >= direction.least && t + step <= direction.most; ++k) {
     move_along(hierarchy, level, direction, step);
@@ -164,7 +153,7 @@ double mass_defect(const Hierarchy& hierarchy, const Level& level) {
 bool balance_mass(Hierarchy& hierarchy, Level& level, std::optional<double> flow) {
   if (!conserves_mass(level)) return false;
   update_residual(hierarchy, level);
-  const double enough = balanced * flow.value_or(oil_of(hierarchy, level).in) +
+  const double enough = hierarchy.parameters.tuning.balanced_oil * flow.value_or(oil_of(hierarchy, level).in) +
                         rounding * hierarchy.transport.squeeze * stored_oil(level);
   const double excess = mass_defect(hierarchy, level);
   if (std::abs(excess) <= enough) return false;
@@ -175,7 +164,7 @@ bool balance_mass(Hierarchy& hierarchy, Level& level, std::optional<double> flow
 
 bool correct_mass(Hierarchy& hierarchy, Level& level, const State& before, const RelaxationParameters& relaxation) {
   update_residual(hierarchy, level);
-  const double enough = balanced * oil_of(hierarchy, level).in;
+  const double enough = hierarchy.parameters.tuning.balanced_oil * oil_of(hierarchy, level).in;
   if (std::abs(mass_defect(hierarchy, level)) <= enough) return false;
   if (balanced_along(hierarchy, level, direction_back_to(before, hierarchy, level), enough)) return true;
   if (!balance_mass(hierarchy, level)) return false;

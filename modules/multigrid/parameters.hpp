@@ -2,6 +2,9 @@
 #include <limits>
 #include <optional>
 
+#include "judgement/tuning.hpp"
+#include "multigrid/tuning.hpp"
+
 namespace ehl::multigrid {
 
 enum class Cycle { V, W, F };
@@ -64,6 +67,8 @@ struct Parameters {
   double settling_weight = 1.0;   ///< factor on the weights in these relaxations
   bool extend_boundary = false;   ///< point contacts, too: extend boundary changes into the domain after a cycle
   RelaxationParameters relaxation;
+  Tuning tuning;
+  judgement::Tuning judgement;
 };
 
 }  // namespace ehl::multigrid

@@ -17,18 +17,18 @@ judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& reco
   const LevelRow& last = record.levels.back();
   const double h = (domain.X_b - domain.X_a) / last.nx;
   const reynolds::Wedge wedge = hierarchy.problem.transport.wedge;
+  const judgement::Tuning& tuning = hierarchy.parameters.judgement;
   if (reynolds::third_order(wedge)) {
-    const double share =
-        value == &LevelRow::Hc ? judgement::third_order_floor_of_Hc : judgement::third_order_floor_of_Hm;
+    const double share = value == &LevelRow::Hc ? tuning.third_order_floor_of_Hc : tuning.third_order_floor_of_Hm;
     const double stretch = core::stretch(domain);
     double floor = judgement::third_order_floor(h / stretch, last.Hm_fitted, share);
     // The side lobes are narrow along Y, the short side of stretched cells; the film at the ends depends on the long
     // side.
     if (stretch > 1.0) floor = std::max(floor, judgement::third_order_floor(h, last.Hc, share));
-    return judgement::estimate_error(values, 2.0, floor);
+    return judgement::estimate_error(tuning, values, 2.0, floor);
   }
-  if (wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
-  return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
+  if (wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(tuning, values, 2.0);
+  return judgement::estimate_error(tuning, values, 1.0, judgement::first_order_floor(tuning, h, last.Hm_fitted));
 }
 
 // Discretization errors of the last row, Hm between the nodes. With a meniscus the estimate by the scatter of the films
@@ -38,8 +38,9 @@ judgement::FilmErrors film_errors(const Hierarchy& hierarchy, const Record& reco
   const judgement::FilmErrors by_order{Hc.relative_error,
                                        error_of(hierarchy, record, &LevelRow::Hm_fitted).relative_error};
   if (!conserves_mass(hierarchy.levels.back())) return by_order;
-  const judgement::FilmErrors beside = judgement::errors_beside_meniscus(column(record.levels, &LevelRow::Hc),
-                                                                         column(record.levels, &LevelRow::Hm_fitted));
+  const judgement::FilmErrors beside =
+      judgement::errors_beside_meniscus(hierarchy.parameters.judgement, column(record.levels, &LevelRow::Hc),
+                                        column(record.levels, &LevelRow::Hm_fitted));
   if (reynolds::order(hierarchy.problem.transport.wedge) > 1.0) return beside;
   return {std::max(by_order.Hc, beside.Hc), std::max(by_order.Hm, beside.Hm)};
 }

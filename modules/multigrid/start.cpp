@@ -12,13 +12,9 @@
 namespace ehl::multigrid {
 namespace {
 
-/// Relaxations per correction of H00 on a grid that is relaxed alone: enough for the pressure to follow.
-constexpr int sweeps_per_balance = 4;
-
 /// With epsilon at half points the line systems contain the derivatives of the viscosity, and diverge far from the
-/// solution, as Newton's method does. So the first steps on a grid use the mean of the nodes: this many cycles from the
-/// Hertz pressure, or the relaxations after an interpolation. [bench: cycles_from_hertz]
-constexpr int cycles_from_hertz = 4;
+/// solution, as Newton's method does. So the first steps on a grid use the mean of the nodes: some cycles from the
+/// Hertz pressure, or the relaxations after an interpolation.
 
 template <class Steps>
 void begin_with_mean(Hierarchy& hierarchy, Level& level, Steps steps) {
@@ -58,9 +54,6 @@ double mean_surface(const Level& level) {
   return weights > 0.0 ? sum / weights : 0.0;
 }
 
-/// Largest initial pressure outside the contact: near the contact the far field is no estimate.
-constexpr double a_little = 0.02;
-
 /// The far field of rigid bodies without cavitation (reynolds/far_field.hpp has the one with it), P = -(c_X X + c_Y
 /// Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
 class UnrupturedField {
@@ -94,7 +87,8 @@ double taper(const core::Grid& domain, double X, double Y) {
 // Initial pressure outside an elliptic contact. The film ruptures far from the contact and not along a line of constant
 // X. In relaxations an edge of the pressure advances by one cell per sweep, but recedes by any number of cells. So it
 // starts too far downstream, with the far field's pressure everywhere, its sign reversed where that is negative.
-void begin_outside(const Problem& problem, Level& level) {
+// Near the contact the far field is no estimate. in: most, the largest pressure.
+void begin_outside(const Problem& problem, double most, Level& level) {
   const UnrupturedField far(problem.geometry.gap, problem.film.lambda);
   const core::Grid& domain = level.grid.domain;
   for (int i = 1; i < level.grid.nx; ++i)
@@ -103,19 +97,19 @@ void begin_outside(const Problem& problem, Level& level) {
       const double Y = level.grid.Y(j);
       const bool outside = problem.geometry.outline.at(X, Y) >= 1.0;
       if (outside || level.P(i, j) == 0.0) {
-        const double P = outside ? std::min(std::abs(far.P(X, Y)), a_little) : a_little;
+        const double P = outside ? std::min(std::abs(far.P(X, Y)), most) : most;
         level.P(i, j) = std::max(level.P(i, j), P * taper(domain, X, Y));
       }
     }
 }
 
 // Starts from the pressure of the dry contact, and that of the oil around it. out: H00 of the dry contact.
-double begin_dry(const Problem& problem, Level& level) {
+double begin_dry(const Problem& problem, double most, Level& level) {
   const double H00 = problem.dry(level.grid, level.P);
   for (int i = 0; i <= level.grid.nx; ++i)
     for (int j = 0; j <= level.grid.ny; ++j)
       if (i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line()) level.P(i, j) = 0.0;
-  begin_outside(problem, level);
+  begin_outside(problem, most, level);
   return H00;
 }
 
@@ -141,10 +135,11 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
       else
         level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
+  const double most_outside = hierarchy.parameters.tuning.pressure_outside;
   if (hierarchy.problem.dry)
-    H00 += begin_dry(hierarchy.problem, level);
+    H00 += begin_dry(hierarchy.problem, most_outside, level);
   else if (!apart && !hierarchy.problem.geometry.gap.round())
-    begin_outside(hierarchy.problem, level);
+    begin_outside(hierarchy.problem, most_outside, level);
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 = hierarchy.problem.surface && !hierarchy.problem.dry ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
@@ -152,7 +147,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   // X sweeps alone: this far from a solution Y sweeps on stretched cells lead away from it.
   const auto relax_alone = [&] {
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
-      if (sweep % sweeps_per_balance == 0) {
+      if (sweep % hierarchy.parameters.tuning.sweeps_per_balance == 0) {
         relax_with_force_balance(hierarchy, level, 1, how);
       } else {
         relax_pressure(hierarchy, level, how.relaxation);
@@ -164,7 +159,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   if (!at_half_points(level)) return relax_alone();
   begin_with_mean(hierarchy, level, [&] {
     relax_alone();
-    for (int cycle = 0; cycle < cycles_from_hertz; ++cycle) fas_cycle(hierarchy, l, how);
+    for (int cycle = 0; cycle < hierarchy.parameters.tuning.cycles_from_hertz; ++cycle) fas_cycle(hierarchy, l, how);
   });
 }
 

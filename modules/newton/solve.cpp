@@ -19,19 +19,6 @@
 namespace ehl::newton {
 namespace {
 
-/// If the last step, in units of p_h, was smaller than this, the iteration is converging: the next system is solved
-/// accurately, and the factors are kept.
-constexpr double small_change = 0.02;
-constexpr double loose = 1e-2;
-constexpr double tight = 1e-5;
-constexpr double last_bit = 0.03;
-/// Old factors are replaced when they need this many times the iterations that they needed when new.
-constexpr int worn_out = 2;
-/// The iteration fails if the best state is this many steps old; near the solution, `patience_at_the_end`.
-constexpr int patience = 20;
-constexpr int patience_at_the_end = 5;
-constexpr double near = 1e-6;
-
 /// The numbers by which a state is judged.
 struct State {
   double residual = 0.0;    ///< of the complementarity problem, relative
@@ -65,6 +52,7 @@ class NewtonIteration {
       : hierarchy_(hierarchy),
         level_(hierarchy.levels[l]),
         parameters_(parameters),
+        tuning_(parameters.tuning),
         equations_(hierarchy, l),
         preconditioner_(equations_),
         u_(equations_.size()),
@@ -80,7 +68,7 @@ class NewtonIteration {
     while (!good(state)) {
       const int taken = static_cast<int>(result_.steps.size());
       if (!std::isfinite(state.residual)) return fail("the residual is not finite");
-      if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience)) {
+      if (taken - best_step_ >= (best_measure_ < tuning_.near ? tuning_.patience_at_the_end : tuning_.patience)) {
         if (best_measure_ > parameters_.tolerance_of_rounding)
           return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
         state = back_to_best();
@@ -91,7 +79,7 @@ class NewtonIteration {
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
       result_.steps.push_back({state.residual, iterations_});
-      if (stalls_at_an_edge(taken) && multigrid::mark_chattering(level_) > 0) {
+      if (stalls_at_an_edge(taken) && multigrid::mark_chattering(hierarchy_.parameters.tuning, level_) > 0) {
         state = judge(hierarchy_, level_);
         best_.clear();  // the equations have changed
       }
@@ -107,7 +95,9 @@ class NewtonIteration {
   }
 
  private:
-  bool stalls_at_an_edge(int taken) const { return multigrid::may_chatter(best_measure_) && taken - best_step_ >= 2; }
+  bool stalls_at_an_edge(int taken) const {
+    return multigrid::may_chatter(hierarchy_.parameters.tuning, best_measure_) && taken - best_step_ >= 2;
+  }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
   /// One Newton step from the given state, shortened if it changes P or H00 too much. out: the reason of a failure.
@@ -120,20 +110,21 @@ class NewtonIteration {
     if (keep_factors_) solved = gmres(system_, minus_F_, linear_tolerance(state), d_);
     if (!solved.reduced) {  // no factors yet, or they are too old
       if (!preconditioner_.factor()) return "the preconditioner is singular";
-      solved = gmres(system_, minus_F_, keep_factors_ ? loose : linear_tolerance(state), d_);
+      solved = gmres(system_, minus_F_, keep_factors_ ? tuning_.loose : linear_tolerance(state), d_);
       if (!solved.reduced) return "the linear solver does not converge";
       iterations_when_fresh_ = solved.iterations;
     }
     take_step(longest_shift(state.Hc));
     iterations_ = solved.iterations;
-    keep_factors_ = last_change_ < small_change && iterations_ <= worn_out * iterations_when_fresh_;
+    keep_factors_ = last_change_ < tuning_.small_change && iterations_ <= tuning_.worn_out * iterations_when_fresh_;
     return "";
   }
 
-  /// The linear tolerance is no tighter than what the last Newton step needs.
+  /// The linear tolerance is no tighter than what the last Newton step needs. Where the last step was small, the
+  /// iteration converges, and the next system is solved accurately.
   double linear_tolerance(const State& state) const {
-    if (!(last_change_ < small_change)) return loose;
-    return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
+    if (!(last_change_ < tuning_.small_change)) return tuning_.loose;
+    return std::clamp(tuning_.last_bit * parameters_.tolerance / state.residual, tuning_.tight, tuning_.loose);
   }
 
   void take_step(double most_shift) {
@@ -142,7 +133,7 @@ class NewtonIteration {
       change = std::max(change, std::abs(std::max(u_[k] + d_[k], 0.0) - std::max(u_[k], 0.0)));
     const double shift = std::abs(d_.back());
     double share = 1.0;
-    if (change > parameters_.longest_change) share = parameters_.longest_change / change;
+    if (change > tuning_.longest_change) share = tuning_.longest_change / change;
     if (shift * share > most_shift) share = most_shift / shift;
     for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += share * d_[k];
     equations_.set_state(u_);
@@ -172,6 +163,7 @@ class NewtonIteration {
   multigrid::Hierarchy& hierarchy_;
   multigrid::Level& level_;
   const Parameters& parameters_;
+  const Tuning& tuning_;
   Equations equations_;
   Preconditioner preconditioner_;
   std::vector<double> u_, minus_F_, d_, best_;

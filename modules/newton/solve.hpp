@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "multigrid/hierarchy.hpp"
+#include "newton/tuning.hpp"
 
 namespace ehl::newton {
 
@@ -15,7 +16,7 @@ struct Parameters {
   /// A state that further steps do not improve counts as converged if it is below this tolerance.
   double tolerance_of_rounding = 1e-11;
   int max_steps = 60;
-  double longest_change = 0.3;  ///< largest change of any pressure in one step, in units of p_h
+  Tuning tuning;
 };
 
 struct Step {

@@ -9,17 +9,9 @@
 #include "newton/solve.hpp"
 
 namespace ehl::newton {
-namespace {
-
-/// Tolerance of the linear systems: a step then reduces the residual by up to three orders.
-constexpr double linear_tolerance = 1e-3;
-/// New factors are made when the old ones need more iterations than this. [bench: worn_out_factors]
-constexpr int worn_out = 8;
-
-}  // namespace
-
-Steps::Steps(multigrid::Hierarchy& hierarchy)
+Steps::Steps(multigrid::Hierarchy& hierarchy, const Tuning& tuning)
     : hierarchy_(hierarchy),
+      tuning_(tuning),
       equations_(hierarchy, hierarchy.levels.size() - 1),
       preconditioner_(equations_, Preconditioner::Precision::single, Preconditioner::any_size),
       u_(equations_.size()),
@@ -50,13 +42,13 @@ bool Steps::take() {
                             [this](auto v) { precondition(v); }};
   GmresResult solved;
   if (!scale_of_factors_.empty()) {
-    solved = gmres(system, minus_F_, linear_tolerance, change_);
-    if (!solved.reached || solved.iterations > worn_out)
+    solved = gmres(system, minus_F_, tuning_.step_tolerance, change_);
+    if (!solved.reached || solved.iterations > tuning_.step_worn_out)
       scale_of_factors_.clear();  // new factors now or in the next step
   }
   if (!solved.reached) {
     if (!factor()) return false;
-    solved = gmres(system, minus_F_, linear_tolerance, change_);
+    solved = gmres(system, minus_F_, tuning_.step_tolerance, change_);
     if (!solved.reduced) return false;
   }
   apply();
@@ -72,7 +64,7 @@ void Steps::apply() {
   const double shift = std::abs(change_.back());
   const double most_shift = longest_shift(Hc);
   double share = 1.0;
-  if (largest > Parameters{}.longest_change) share = Parameters{}.longest_change / largest;
+  if (largest > tuning_.longest_change) share = tuning_.longest_change / largest;
   if (shift * share > most_shift) share = most_shift / shift;
   for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += share * change_[k];
   equations_.set_state(u_);

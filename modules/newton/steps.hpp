@@ -5,6 +5,7 @@
 #include "multigrid/hierarchy.hpp"
 #include "newton/equations.hpp"
 #include "newton/preconditioner.hpp"
+#include "newton/tuning.hpp"
 
 namespace ehl::newton {
 
@@ -15,11 +16,11 @@ namespace ehl::newton {
 class Steps {
  public:
   /// in: a hierarchy that outlives this object.
-  explicit Steps(multigrid::Hierarchy& hierarchy);
+  explicit Steps(multigrid::Hierarchy& hierarchy, const Tuning& tuning = {});
 
-  /// One step from the level's state. It changes no pressure by more than 0.3 and the film at the centre by no more
-  /// than a share of itself; the far field is updated. out: false if the linear system is not solved. errors:
-  /// core::SolverError of the far field.
+  /// One step from the level's state. It changes no pressure by more than Tuning::longest_change and the film at the
+  /// centre by no more than a share of itself; the far field is updated. out: false if the linear system is not solved.
+  /// errors: core::SolverError of the far field.
   bool take();
 
  private:
@@ -28,6 +29,7 @@ class Steps {
   void apply();
 
   multigrid::Hierarchy& hierarchy_;
+  const Tuning tuning_;
   Equations equations_;
   Preconditioner preconditioner_;
   std::vector<double> u_, minus_F_, change_;

@@ -13,26 +13,13 @@
 #include "multigrid/start.hpp"
 #include "steady/larger_domain.hpp"
 #include "steady/multigrid_solve.hpp"
-#include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
 
 namespace ehl::steady {
 namespace {
 
-/// Shares of the target allowed for the error of a free domain; the second is tried if the first needs too large a
-/// domain.
-constexpr double shares_of_domain[] = {0.5, 0.7};
 /// Step factor of the search for the size of the domain.
 constexpr double step_of_size = 1.01;
-/// Most cells along x of the coarse solutions that estimate the error of the domain.
-constexpr int most_coarse_cells = 1024;
-/// Longest domain in Hertz radii, and in units of contact_size. On longer ones the coarsest grids no longer resolve the
-/// contact, and the cycles fail.
-constexpr double longest_domain = 200.0;
-constexpr double longest_in_contacts = 72.0;
-/// Safety factor of the predicted level: the predicted error must be below this share of what is allowed.
-constexpr double sure = 0.95;
-constexpr double tolerance_of_coarse = 1e-6;
 
 std::string percent(double value) {
   char buffer[32];
@@ -53,7 +40,7 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   coarse.deformation = mlmi::fitting(coarse.deformation, grid);
   coarse.accuracy = {};
   coarse.adjoint_errors = false;
-  coarse.solver.tolerance = tolerance_of_coarse;
+  coarse.solver.tolerance = scene.tuning.tolerance_of_coarse;
   return coarse;
 }
 
@@ -91,7 +78,7 @@ double gain_of_Hm(const LevelRow& from, const LevelRow& to) {
 std::vector<Scene> series_from(const Scene& scene, core::Grid grid) {
   std::vector<Scene> series;
   for (int size = 1; size <= 4; size *= 2, grid = doubled(grid, sides_of(scene))) {
-    if (size == 4 && grid.nx > most_coarse_cells) break;
+    if (size == 4 && grid.nx > scene.tuning.most_coarse_cells) break;
     series.push_back(coarse_scene(scene, grid));
   }
   return series;
@@ -158,7 +145,7 @@ double predicted_cells(const Scene& scene, const Solution& solution, double allo
   do {
     cells *= 2.0;
     error /= std::exp2(reynolds::order(scene.wedge));
-  } while (error > sure * allowed);
+  } while (error > scene.tuning.predicted_share * allowed);
   return cells;
 }
 
@@ -179,10 +166,12 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
 // exceeded.
 std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
   if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
-  const double longest = std::min(longest_domain * contact::extent(scene.shape).X,
-                                  longest_in_contacts * contact_size(scene.M, scene.L, scene.shape));
+  // On longer domains the coarsest grids no longer resolve the contact, and the cycles fail.
+  const Tuning& tuning = scene.tuning;
+  const double longest = std::min(tuning.longest_domain * contact::extent(scene.contact.shape).X,
+                                  tuning.longest_in_contacts * scene.contact.size);
   std::string stopped;
-  for (const double share : shares_of_domain) {
+  for (const double share : {tuning.share_of_domain, tuning.larger_share_of_domain}) {
     double size = 1.0;
     while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest)
       size *= step_of_size;

@@ -17,23 +17,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Relative residual and load error that an intermediate solution must reach: a good start for the next one.
-constexpr double step_tolerance = 1e-4;
-constexpr int most_cycles_of_a_step = 25;
-/// The next step is longer if a step took at most this many cycles.
-constexpr int few_cycles = 8;
-constexpr double longer = 1.5;
-constexpr double longest_step = 3.0;  // factor on the load
-constexpr double shortest_step = 1.005;
-/// A grid resolves the contact if its mesh size is at most this multiple of resolving_step().
-constexpr double coarseness = 1.6;
-/// Default first load: a hundredth of the scene's, but not so light that the domain would starve it.
-constexpr double first_ratio = 0.01;
-constexpr double lightest_M = 20.0;
-/// If the first load fails on the cells of the heavier one, a higher load is tried, up to this share of the scene's.
-/// [bench: next_first]
-constexpr double next_first = 3.0, heaviest_first = 0.5;
-
 struct Solved {
   double ln_M;
   multigrid::State state;
@@ -41,7 +24,8 @@ struct Solved {
 };
 
 std::size_t level_that_holds(const multigrid::Hierarchy& hierarchy, const Scene& scene) {
-  const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2, scene.shape);
+  const double step =
+      scene.tuning.continuation_coarseness * resolving_step(scene.tuning, scene.contact, reynolds::Wedge::upstream2);
   std::size_t l = 0;
   while (l + 1 < hierarchy.levels.size() &&
          hierarchy.levels[l].grid.hx() / core::stretch(hierarchy.levels[l].grid) > step)
@@ -49,10 +33,12 @@ std::size_t level_that_holds(const multigrid::Hierarchy& hierarchy, const Scene&
   return l;
 }
 
+// By default not so light that the domain would starve it.
 double first_M(const Scene& scene) {
-  if (std::isfinite(scene.continuation.load_ratio)) return scene.continuation.load_ratio * scene.M;
-  const double lightest = lightest_M * scene.M / circular_load(scene.M, scene.L, scene.shape);
-  return std::max(first_ratio * scene.M, std::min(lightest, heaviest_first * scene.M));
+  const Tuning& tuning = scene.tuning;
+  if (std::isfinite(scene.continuation.load_ratio)) return scene.continuation.load_ratio * scene.contact.M;
+  const double lightest = tuning.lightest_M * scene.contact.M / scene.contact.circular_load;
+  return std::max(tuning.first_load * scene.contact.M, std::min(lightest, tuning.heaviest_first * scene.contact.M));
 }
 
 // Starting state for the next load: the last pressure in Hertz's units, and H00 changed by the expected change of the
@@ -60,7 +46,9 @@ double first_M(const Scene& scene) {
 // formula at first. [bench: predict_H00]
 Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, const Scene& scene) {
   Solved guess{ln_M, last.state, 0.0, 0.0};
-  const auto expected = [&](double of_ln_M) { return expected_central_film(std::exp(of_ln_M), scene.L, scene.shape); };
+  const auto expected = [&](double of_ln_M) {
+    return scales_of(std::exp(of_ln_M), scene.contact.L, scene.contact.shape).film;
+  };
   double ratio = expected(ln_M) / expected(last.ln_M);
   if (previous && previous->Hc > 0.0 && last.Hc > 0.0)
     ratio = std::pow(last.Hc / previous->Hc, (ln_M - last.ln_M) / (last.ln_M - previous->ln_M));
@@ -78,7 +66,8 @@ Scene on_level(const Scene& scene, const multigrid::Hierarchy& hierarchy, std::s
 
 // Cycles for one load on the finest grid of a run. in/out: the damping; a failed step passes on only its relaxation
 // after the coarse grid correction.
-ContinuationStep solve_step(multigrid::Run& run, double M, double load_ratio, multigrid::Damping& damping) {
+ContinuationStep solve_step(const Tuning& tuning, multigrid::Run& run, double M, double load_ratio,
+                            multigrid::Damping& damping) {
   ContinuationStep step{.M = M, .load_ratio = load_ratio};
   const multigrid::CycleObserver observe = [&](int cycle,
                                                const judgement::Measures& now) -> multigrid::DiscretizationError {
@@ -88,11 +77,12 @@ ContinuationStep solve_step(multigrid::Run& run, double M, double load_ratio, mu
       step.Hm = now.Hm;
       step.residual = now.residual;
     }
-    multigrid::report(run, run.finest(), cycle, most_cycles_of_a_step, now, step.load_ratio);
+    multigrid::report(run, run.finest(), cycle, tuning.continuation_most_cycles, now, step.load_ratio);
     return {};
   };
-  const judgement::StoppingCriterion criterion{
-      .aim = judgement::Aim::residual, .most = most_cycles_of_a_step, .tolerance = step_tolerance};
+  const judgement::StoppingCriterion criterion{.aim = judgement::Aim::residual,
+                                               .most = tuning.continuation_most_cycles,
+                                               .tolerance = tuning.continuation_tolerance};
   const multigrid::CyclesResult result =
       multigrid::run_cycles(run.hierarchy, run.finest(), criterion, damping, observe);
   damping.relax_after = result.damping.relax_after;
@@ -104,7 +94,7 @@ ContinuationStep solve_step(multigrid::Run& run, double M, double load_ratio, mu
 
 std::string name_of_load(const Scene& scene, double ln_M) {
   const double M = std::exp(ln_M);
-  return fmt::format("M = {:.4g} ({:.3g} % of the load)", M, 100.0 * M / scene.M);
+  return fmt::format("M = {:.4g} ({:.3g} % of the load)", M, 100.0 * M / scene.contact.M);
 }
 
 // The first solution. A default first load that is not solved is tripled. in: the scene on the grid of the
@@ -112,26 +102,26 @@ std::string name_of_load(const Scene& scene, double ln_M) {
 Solved solve_first_load(const Scene& scene, const std::function<Solution(const Scene& light)>& first_load,
                         std::vector<ContinuationStep>& steps) {
   const bool chosen = std::isnan(scene.continuation.load_ratio);
-  for (double M = first_M(scene);; M *= next_first) {
+  for (double M = first_M(scene);; M *= scene.tuning.next_first) {
     std::string reason;
     try {
       Scene light = under_load(scene, M);
-      light.solver.tolerance = step_tolerance;
+      light.solver.tolerance = scene.tuning.continuation_tolerance;
       const Solution solution = first_load(light);
       const LevelRow& row = solution.levels.back();
       steps.push_back({.M = M,
-                       .load_ratio = M / scene.M,
+                       .load_ratio = M / scene.contact.M,
                        .Hc = row.Hc,
                        .Hm = row.Hm,
                        .residual = row.residual,
                        .cycles = row.cycles,
-                       .converged = row.residual <= step_tolerance});
+                       .converged = row.residual <= scene.tuning.continuation_tolerance});
       if (steps.back().converged) return {std::log(M), {solution.P, solution.H00}, row.Hc, row.Hm};
       reason = solution.failed_check;
     } catch (const core::SolverError& error) {
       reason = error.what();
     }
-    if (!chosen || next_first * M > heaviest_first * scene.M)
+    if (!chosen || scene.tuning.next_first * M > scene.tuning.heaviest_first * scene.contact.M)
       throw core::SolverError("load continuation: its first load, " + name_of_load(scene, std::log(M)) +
                               ", was not solved: " + reason);
   }
@@ -141,7 +131,8 @@ Solved solve_first_load(const Scene& scene, const std::function<Solution(const S
 // the continuation and the first solution; fields are on the domain. out: the last solution.
 Solved follow_load(const Scene& scene, const Start& start, const ProgressCallback& progress, Solved last,
                    std::vector<ContinuationStep>& steps, multigrid::Damping& damping, core::PartTimes& times) {
-  const double target = std::log(scene.M);
+  const Tuning& tuning = scene.tuning;
+  const double target = std::log(scene.contact.M);
   const double direction = target >= last.ln_M ? 1.0 : -1.0;
   double stride = std::log(scene.continuation.step);
   std::optional<Solved> previous;
@@ -151,11 +142,11 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
                               name_of_load(scene, last.ln_M));
     const bool arrives = std::abs(target - last.ln_M) <= 1.001 * stride;
     Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene);
-    const double M = arrives ? scene.M : std::exp(next.ln_M);
+    const double M = arrives ? scene.contact.M : std::exp(next.ln_M);
     multigrid::Run run = begin_multigrid(under_load(scene, M), start, progress);
     const core::Patch& grid = run.hierarchy.finest().grid;
     multigrid::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, next.state.P), next.state.H00});
-    steps.push_back(solve_step(run, M, M / scene.M, damping));
+    steps.push_back(solve_step(scene.tuning, run, M, M / scene.contact.M, damping));
     core::add(run.hierarchy.times, times);
     if (steps.back().converged) {
       next.state = {core::on_domain(grid, run.hierarchy.finest().P), run.hierarchy.H00};
@@ -163,10 +154,11 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
       next.Hm = steps.back().Hm;
       previous = std::move(last);
       last = std::move(next);
-      if (steps.back().cycles <= few_cycles) stride = std::min(longer * stride, std::log(longest_step));
+      if (steps.back().cycles <= tuning.continuation_few_cycles)
+        stride = std::min(tuning.continuation_longer * stride, std::log(tuning.continuation_longest_step));
     } else {
       stride *= 0.5;
-      if (stride < std::log(shortest_step))
+      if (stride < std::log(tuning.continuation_shortest_step))
         throw core::SolverError("load continuation: no step converges from " + name_of_load(scene, last.ln_M));
     }
   }
@@ -208,11 +200,12 @@ std::function<void(const core::Patch&, core::Field&)> scaled(
 }  // namespace
 
 Scene under_load(const Scene& scene, double M) {
-  const double p_h_factor = contact::line(scene.shape) ? std::sqrt(M / scene.M) : std::cbrt(M / scene.M);
+  const double p_h_factor =
+      contact::line(scene.contact.shape) ? std::sqrt(M / scene.contact.M) : std::cbrt(M / scene.contact.M);
   Scene result = scene;
-  result.M = M;
+  result.contact = scales_of(M, scene.contact.L, scene.contact.shape);
   result.observer = {};
-  result.lambda = contact::from_moes(M, scene.L, scene.shape).lambda;
+  result.lambda = contact::from_moes(M, scene.contact.L, scene.contact.shape).lambda;
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
   if (scene.thinning) result.thinning = rheology::rescaled(*scene.thinning, p_h_factor);

@@ -10,29 +10,18 @@
 namespace ehl::steady {
 namespace {
 
-/// Threshold of log_viscosity_at_edge() above which full weights oscillate where epsilon is steep, and the factor on
-/// the weight there. [bench: steep_log_viscosity]
-constexpr double steep_log_viscosity = 20.0;
-constexpr double damping_where_steep = 0.8;
-
-bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
-
-/// Threshold for contacts elongated in the rolling direction, on stretched cells: (3,2) relaxations above it, (3,1)
-/// below. [bench: steep_log_viscosity_of_slender]
-constexpr double steep_log_viscosity_of_slender = 9.0;
+/// True if full weights oscillate where epsilon is steep.
+bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > scene.tuning.steep_log_viscosity; }
 
 /// Relaxations before and after the coarse grid correction; more than usual if coarse grids return poor corrections.
 struct Relaxations {
   int pre = 0, post = 0;
 };
 Relaxations more_relaxations(const Scene& scene, const Start& start) {
-  if (!elongated(scene.shape) || !core::stretched(scene.grid)) return {start.pre, start.post};
-  return log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender ? Relaxations{3, 2} : Relaxations{3, 1};
+  if (!elongated(scene.tuning, scene.contact.shape) || !core::stretched(scene.grid)) return {start.pre, start.post};
+  const bool steep = log_viscosity_at_edge(scene) > scene.tuning.steep_log_viscosity_of_slender;
+  return steep ? Relaxations{3, 2} : Relaxations{3, 1};
 }
-/// Relaxations after an interpolation, and the factor on their weights, if a cycle has more relaxations than usual.
-/// [bench: settling_sweeps]
-constexpr int settling_sweeps = 4;
-constexpr double settling_weight = 0.4;
 
 /// F(2,0) cycles leave the smallest algebraic error of Hc and Hm for their work, W(2,1) cycles the smallest residual.
 /// On a line contact V cycles are cheaper than F cycles at the same error, because its next coarser grid costs half as
@@ -44,8 +33,8 @@ void choose_cycle(const Scene& scene, const Start& start, multigrid::Parameters&
   if (more.pre > 0) {
     if (!parameters.pre) parameters.pre = more.pre;
     if (!parameters.post) parameters.post = more.post;
-    parameters.settling_sweeps = settling_sweeps;
-    parameters.settling_weight = settling_weight;
+    parameters.settling_sweeps = scene.tuning.settling_sweeps;
+    parameters.settling_weight = scene.tuning.settling_weight;
   }
   const bool heavy_line = scene.grid.line && more.pre > 0;
   const bool least_residual = core::stretched(scene.grid) || (std::isfinite(scene.solver.tolerance) && !heavy_line);
@@ -54,13 +43,10 @@ void choose_cycle(const Scene& scene, const Start& start, multigrid::Parameters&
   if (!parameters.post) parameters.post = least_residual || steep_edge(scene) ? 1 : 0;
 }
 
-/// Largest mesh size of the coarsest grid for heavily loaded line contacts on long domains: a coarser grid
-/// underestimates dF/dH00, and every cycle inherits that error. [bench: widest_coarsest_step_of_heavy_line]
-constexpr double widest_coarsest_step_of_heavy_line = 0.15;
-
 /// Cells along x of the coarsest grid: few enough for its relaxations to solve it. A slender contact in a narrow domain
 /// gets twice as many. For an oblique contact the mesh size is limited to a multiple of the shorter half of the
-/// contact. [bench: widest_coarsest_step]
+/// contact; for heavily loaded line contacts on long domains, too, since a coarser grid underestimates dF/dH00, and
+/// every cycle inherits that error. [bench: widest_coarsest_step]
 int coarsest_cells(const Scene& scene, const Start& start) {
   const double length = scene.grid.X_b - scene.grid.X_a;
   const auto with_step_of = [&](double widest) {
@@ -68,102 +54,93 @@ int coarsest_cells(const Scene& scene, const Start& start) {
     while (length / cells > widest) cells *= 2;
     return cells;
   };
-  if (scene.grid.line) return start.pre > 0 ? with_step_of(widest_coarsest_step_of_heavy_line) : start.coarsest;
-  if (contact::gap(scene.shape).oblique()) {
-    const double widest_coarsest_step = elongated(scene.shape) ? 0.8 : 2.5;
-    const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
-    return with_step_of(widest_coarsest_step * shorter);
+  if (scene.grid.line)
+    return start.pre > 0 ? with_step_of(scene.tuning.widest_coarsest_step_of_heavy_line) : start.coarsest;
+  if (contact::gap(scene.contact.shape).oblique()) {
+    const Tuning& tuning = scene.tuning;
+    const double widest =
+        elongated(tuning, scene.contact.shape) ? tuning.widest_coarsest_step_elongated : tuning.widest_coarsest_step;
+    return with_step_of(widest * (scene.contact.size / scene.contact.slenderness));
   }
   const double width = scene.grid.Y_b - scene.grid.Y_a;
-  constexpr double narrow = 1.99;
-  return contact::circular(scene.shape) || length < narrow * width ? start.coarsest : 2 * start.coarsest;
+  return contact::circular(scene.contact.shape) || length < scene.tuning.narrow_domain * width ? start.coarsest
+                                                                                               : 2 * start.coarsest;
 }
 
 /// -dH/d ln(load) of the expected central film: twice the film if the contact is nearly rigid, little if it is elastic.
 double film_slope(const Scene& scene) {
   constexpr double step = 0.01;
-  const auto film = [&](double M) { return contact::nijenbanning_venner_moes(M, scene.L, scene.shape); };
-  const double power = std::log(film(scene.M * (1.0 - step)) / film(scene.M * (1.0 + step))) / (2.0 * step);
-  return power * expected_central_film(scene.M, scene.L, scene.shape);
+  const auto film = [&](double M) {
+    return contact::nijenbanning_venner_moes(M, scene.contact.L, scene.contact.shape);
+  };
+  const double power =
+      std::log(film(scene.contact.M * (1.0 - step)) / film(scene.contact.M * (1.0 + step))) / (2.0 * step);
+  return power * scene.contact.film;
 }
-
-/// The points of a single line are solved together, so that changes may be distributed even where epsilon couples the
-/// points strongly. This does not hold for nearly rigid bodies. [bench: crossover_of_line]
-constexpr double crossover_of_line = 3e3;
-/// Smallest epsilon at which a point is relaxed by Gauss-Seidel. A fixed crossover alone would admit ever thinner films
-/// on finer grids. There Gauss-Seidel changes, whose film response is taken as local, amplify errors that are smooth
-/// over sqrt(epsilon), and the coarse grids cannot remove these. [bench: least_single_epsilon_of_line]
-constexpr double least_single_epsilon_of_line = 0.02;
-
-/// Under-relaxation of distributive changes on a line contact. [bench: weight_of_line]
-constexpr double weight_of_line = 0.8;
-
-/// Factor on all weights on stretched cells, where changes are distributed to two neighbours instead of four.
-/// [bench: weight_when_stretched]
-constexpr double weight_when_stretched = 0.8;
-/// Further factor on stretched cells where epsilon is steep. [bench: steep_when_stretched]
-constexpr double steep_when_stretched = 0.6;
 
 /// Step limit: the largest pressure change of one relaxation, given as a change of ln eta with its slope at P = 0.
 /// Larger steps make the front of a spike alternate from line to line, because the X sweep holds epsilon fixed; the Y
 /// sweep then amplifies that. A line contact, whose points are solved together, needs no limit.
 /// [bench: most_change_of_log_viscosity]
 double most_change(const Scene& scene) {
-  constexpr double most_change_of_log_viscosity = 6.0;
   if (scene.grid.line) return std::numeric_limits<double>::infinity();
   double P = 0.0, slope;
   rheology::log_viscosity_slope(scene.viscosity, {&P, 1}, {&slope, 1});
-  return most_change_of_log_viscosity / slope;
+  return scene.tuning.most_change_of_log_viscosity / slope;
 }
-
-/// Factor on the weights of X sweeps on coarse grids of oblique contacts, if a Y sweep follows. With epsilon at the
-/// nodes both sweeps correct the same residual where a spike crosses the lines. [bench: coarse_before_across]
-constexpr double coarse_before_across_oblique = 0.6;
 
 }  // namespace
 
 // The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), where l is the semi-axis across the edge.
 double log_viscosity_at_edge(const Scene& scene) {
-  const double zone = film_zone(scene.M, scene.L, scene.shape);
-  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
+  const double P = std::sqrt(2.0 * scene.contact.film_zone / contact::extent(scene.contact.shape).shorter);
   return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P));
 }
 
-double steep_damping(const Scene& scene) { return steep_edge(scene) ? damping_where_steep : 1.0; }
+double steep_damping(const Scene& scene) { return steep_edge(scene) ? scene.tuning.damping_where_steep : 1.0; }
 
 multigrid::Parameters parameters_of(const Scene& scene, const Start& start) {
+  const Tuning& tuning = scene.tuning;
+  const bool is_elongated = elongated(tuning, scene.contact.shape);
   multigrid::Parameters parameters = scene.solver;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
   // Elongated oblique contacts get Y sweeps from the first cycle on. [bench: across_of_oblique_contacts]
-  parameters.relaxation.across = (start.across || elongated(scene.shape)) && !core::stretched(scene.grid);
+  parameters.relaxation.across = (start.across || is_elongated) && !core::stretched(scene.grid);
   // If a Y sweep follows, the X sweep on square cells is not damped where epsilon is steep: damped, it amplifies the
   // odd-even mode at the inlet edge. Coarse grids, which have epsilon at the nodes, keep the damping.
   // [bench: steep_before_across]
   parameters.relaxation.steep_before_across = 1.0 / steep_damping(scene);
-  if (contact::gap(scene.shape).oblique()) parameters.relaxation.coarse_before_across = coarse_before_across_oblique;
+  // On coarse grids of oblique contacts, with epsilon at the nodes, both sweeps correct the same residual where a spike
+  // crosses the lines.
+  if (contact::gap(scene.contact.shape).oblique())
+    parameters.relaxation.coarse_before_across = tuning.coarse_before_across;
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
-  // The change of H00 = film - approach with the load, relative to that of a dry circle. Half of the film's share
+  // The change of H00 = film - approach with the load, relative to that of a dry circle. Part of the film's share
   // counts: without elastic bodies the pressure responds more slowly. With zero pressure on the boundary so thick a
   // film does not occur.
-  const double film = scene.far_field ? 0.75 * film_slope(scene) : 0.0;
-  parameters.load_relaxation *= (scene.shape.approach + film) / contact::relative_load(scene.shape);
+  const double film = scene.far_field ? tuning.share_of_film_slope * film_slope(scene) : 0.0;
+  parameters.load_relaxation *= (scene.contact.shape.approach + film) / contact::relative_load(scene.contact.shape);
   // Width of the zone of Gauss-Seidel changes, in the film zones at inlet and outlet. [bench: film_zones_of_line]
-  constexpr double film_zones = 8.0;
-  parameters.relaxation.line_zero = film_zones * film_zone(scene.M, scene.L, scene.shape);
+  parameters.relaxation.line_zero = tuning.film_zones_of_line * scene.contact.film_zone;
   // The crossover compares the coupling by epsilon with the coupling by the film.
-  parameters.relaxation.crossover *= scene.shape.p_h / scene.shape.a;
-  const bool flattened = expected_central_film(scene.M, scene.L, scene.shape) < scene.shape.approach;
-  if (scene.grid.line && flattened) parameters.relaxation.crossover = crossover_of_line;
+  parameters.relaxation.crossover *= scene.contact.shape.p_h / scene.contact.shape.a;
+  const bool flattened = scene.contact.film < scene.contact.shape.approach;
+  // The points of a single line are solved together, so that changes may be distributed even where epsilon couples the
+  // points strongly. This does not hold for nearly rigid bodies.
+  if (scene.grid.line && flattened) parameters.relaxation.crossover = tuning.crossover_of_line;
   if (scene.grid.line) {
-    parameters.relaxation.least_single_epsilon = least_single_epsilon_of_line;
-    parameters.relaxation.weight_distributed = weight_of_line;
+    // A fixed crossover alone would admit ever thinner films on finer grids. There Gauss-Seidel changes, whose film
+    // response is taken as local, amplify errors that are smooth over sqrt(epsilon), and the coarse grids cannot remove
+    // these.
+    parameters.relaxation.least_single_epsilon = tuning.least_single_epsilon_of_line;
+    parameters.relaxation.weight_distributed = tuning.weight_of_line;
   }
-  if (core::stretched(scene.grid)) {
-    parameters.relaxation = multigrid::lighter(parameters.relaxation, weight_when_stretched);
-    parameters.relaxation.weight_single_steep *= steep_when_stretched;
+  if (core::stretched(scene.grid)) {  // changes are distributed to two neighbours instead of four
+    parameters.relaxation = multigrid::lighter(parameters.relaxation, tuning.weight_when_stretched);
+    parameters.relaxation.weight_single_steep *= tuning.steep_when_stretched;
   }
   parameters.relaxation.most_change = most_change(scene);
-  parameters.extend_boundary = elongated(scene.shape);
+  parameters.extend_boundary = is_elongated;
   choose_cycle(scene, start, parameters);
   return parameters;
 }

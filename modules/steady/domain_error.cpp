@@ -13,12 +13,8 @@
 namespace ehl::steady {
 namespace {
 
-constexpr double tolerance = 1e-4;
-/// Least number of cells along x of the scene's own domain in the two coarse solutions.
-constexpr int fewest_cells = 32;
-
 double central_film(const Scene& scene) {
-  const Start start{.cells = scene.grid.nx, .sweeps = 20, .cycles = 2, .coarsest = fewest_cells};
+  const Start start{.cells = scene.grid.nx, .sweeps = 20, .cycles = 2, .coarsest = scene.tuning.domain_fewest_cells};
   Scene only_film = scene;
   only_film.adjoint_errors = false;
   only_film.observer = {};
@@ -52,13 +48,14 @@ struct RoughError {
   double load;
 };
 
-RoughError rough_error(double M, double L, const contact::Ellipse& shape, double X_a, double y_half) {
-  const contact::Groups groups = contact::from_moes(M, L, shape);
+RoughError rough_error(const ContactScales& scales, double X_a, double y_half) {
+  const contact::Ellipse& shape = scales.shape;
+  const contact::Groups groups = contact::from_moes(scales.M, scales.L, shape);
   const double length = std::abs(X_a);
   const core::QuadraticForm gap = contact::gap(shape);
-  const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
+  const contact::AlongEntrainment along = contact::along_entrainment(shape, scales.M, scales.L);
   const double rigid = along.film * contact::asymptotes(along.M, along.L, along.radius_ratio).rigid_isoviscous;
-  const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L, shape));
+  const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(scales.M, scales.L, shape));
   const double flatter = 0.25 / (gap.XX * gap.XX);
   const double alpha_bar = std::max(groups.alpha_bar, 10.0);
   // For a line contact dP/dX = lambda/H^2, and far away P = (4/3) lambda/|X|^3.
@@ -79,17 +76,17 @@ RoughError rough_error(double M, double L, const contact::Ellipse& shape, double
 }
 
 RoughError rough_error(const Scene& scene) {
-  return rough_error(scene.M, scene.L, scene.shape, scene.grid.X_a, std::min(-scene.grid.Y_a, scene.grid.Y_b));
+  return rough_error(scene.contact, scene.grid.X_a, std::min(-scene.grid.Y_a, scene.grid.Y_b));
 }
 
 }  // namespace
 
-double closed_reach(double M, double L, const contact::Ellipse& shape, double error) {
-  const double film = expected_central_film(M, L, shape);
-  const double lambda = contact::from_moes(M, L, shape).lambda;
+double closed_reach(const Tuning& tuning, const ContactScales& scales, double error) {
+  const contact::Ellipse& shape = scales.shape;
+  const double film = scales.film;
+  const double lambda = contact::from_moes(scales.M, scales.L, shape).lambda;
   // The closed form of a line contact neglects that the load upstream of the inlet deforms the bodies.
-  // [bench: closed_reach_of_line]
-  if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
+  if (contact::line(shape)) return std::cbrt(tuning.closed_reach_of_line * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
   double elastic;
   if (!gap.oblique()) {
@@ -98,71 +95,73 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
     const double strength = std::min(1.0, 5.0 / (3.0 + 2.0 * roundness) / std::sqrt(roundness));
     elastic = contact::extent(shape).X * std::pow(strength * lambda / (film * error), 0.2);
   } else {
-    // Across the longer axis: the reach of an ellipse across the entrainment with this axis's radius, and three times
-    // its error, so that the error bar of the domain holds. Along the longer axis: to where the undeformed gap is as
+    // Across the longer axis: the reach of an ellipse across the entrainment with this axis's radius, and a multiple
+    // of its error, so that the error bar of the domain holds. Along the longer axis: to where the undeformed gap is as
     // wide. [bench: closed_reach_of_oblique_contacts]
     const double shorter = contact::extent(shape).shorter;
     const double sharper = std::max(1.0, shape.radius_ratio);  // R_x over the smaller radius
-    const double across = shorter * std::pow(3.0 * lambda / (film * sharper * shorter * error), 0.2);
+    const double across =
+        shorter * std::pow(tuning.closed_reach_of_oblique * lambda / (film * sharper * shorter * error), 0.2);
     elastic = across * std::sqrt(0.5 * sharper / gap.least_along_X());
   }
   // An elastic film does not rupture far away, where the closed form has straight lines of rupture.
   const double rigid_film = std::max(0.0, film - 0.5 * shape.approach);
-  constexpr double size_at_5e_5 = 8.0;
-  const double rigid = size_at_5e_5 * std::sqrt(rigid_film / gap.least_along_X()) * std::pow(5e-5 / error, 0.2);
+  const double rigid =
+      tuning.reach_of_thick_film * std::sqrt(rigid_film / gap.least_along_X()) * std::pow(5e-5 / error, 0.2);
   return std::max(elastic, rigid);
 }
 
 double rough_domain_error(const Scene& scene) {
   if (scene.far_field) {
-    if (contact::line(scene.shape))
-      return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / -scene.grid.X_a, 3.0);
+    if (contact::line(scene.contact.shape))
+      return std::pow(closed_reach(scene.tuning, scene.contact, 1.0) / -scene.grid.X_a, 3.0);
     // The sides are measured in a scale in which the undeformed gap is round.
-    const core::QuadraticForm gap = contact::gap(scene.shape);
+    const core::QuadraticForm gap = contact::gap(scene.contact.shape);
     const double half_width = std::sqrt(gap.YY / gap.XX) * std::min(-scene.grid.Y_a, scene.grid.Y_b);
     const double reach = std::min(-scene.grid.X_a, 1.5 * half_width);
-    return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / reach, 5.0);
+    return std::pow(closed_reach(scene.tuning, scene.contact, 1.0) / reach, 5.0);
   }
   const RoughError error = rough_error(scene);
   return error.inlet + error.load;
 }
 
-double chosen_outlet(double M, double L, const contact::Ellipse& shape, std::optional<double> far_field_error) {
-  constexpr double thick = 1.5;
-  if (contact::line(shape)) return 1.5 * contact_size(M, L, shape);
-  const double film = expected_central_film(M, L, shape) / shape.approach;
-  if (far_field_error && film > thick) return 0.5 * closed_reach(M, L, shape, *far_field_error);
-  return (film > thick ? 3.0 : 1.5) * contact::extent(shape).X;
+double chosen_outlet(const Tuning& tuning, const ContactScales& scales, std::optional<double> far_field_error) {
+  const contact::Ellipse& shape = scales.shape;
+  if (contact::line(shape)) return 1.5 * scales.size;
+  const bool thick = scales.film / shape.approach > tuning.thick_film;
+  if (far_field_error && thick) return 0.5 * closed_reach(tuning, scales, *far_field_error);
+  return (thick ? 3.0 : 1.5) * contact::extent(shape).X;
 }
 
-double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape, bool far_field_closed) {
+double chosen_half_width(const Tuning& tuning, double X_a, double X_b, const contact::Ellipse& shape,
+                         bool far_field_closed) {
   const double half_length = 0.5 * (X_b - X_a);
   // Stretched cells fit finer parts of the length and are not widened. [bench: wider_stretched_domain]
-  const bool stretched = cell_aspect(shape) < 1.0;
-  const double wider = far_field_closed && !stretched ? 1.25 : 1.0;
+  const bool stretched = cell_aspect(tuning, shape) < 1.0;
+  const double wider = far_field_closed && !stretched ? tuning.wider_closed_domain : 1.0;
   if (contact::circular(shape)) return wider * half_length;
-  constexpr double beside = 1.4;
   const double parts = stretched ? 64.0 : 16.0;
   const core::QuadraticForm gap = contact::gap(shape);
-  const double wanted = std::max(beside * contact::extent(shape).Y, wider * half_length * std::sqrt(gap.XX / gap.YY));
+  const double wanted =
+      std::max(tuning.least_half_width * contact::extent(shape).Y, wider * half_length * std::sqrt(gap.XX / gap.YY));
   return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
 }
 
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape,
+double chosen_inlet(const Tuning& tuning, const ContactScales& scales, double X_b,
                     std::optional<double> far_field_error) {
-  const double most_at_inlet = contact::line(shape) ? 0.003 : 0.006;
-  constexpr double most_of_load = 0.02;
-  const double longest = 200.0 * contact::extent(shape).X;
+  const contact::Ellipse& shape = scales.shape;
+  const double most_at_inlet = contact::line(shape) ? tuning.most_at_inlet_of_line : tuning.most_at_inlet;
+  const double longest = tuning.longest_domain * contact::extent(shape).X;
   double X_a = 0.0;
   // m of `parts` parts lie upstream of 0.
   const auto enough = [&](int m, int parts) {
     const double next = -X_b * m / (parts - m);
     if (X_a < 0.0 && next < -longest) return true;
     X_a = next;
-    if (far_field_error) return -X_a >= closed_reach(M, L, shape, *far_field_error);
-    const double half_width = contact::line(shape) ? 1.0 : chosen_half_width(X_a, X_b, shape);
-    const RoughError error = rough_error(M, L, shape, X_a, half_width);
-    return error.inlet <= most_at_inlet && error.load <= most_of_load;
+    if (far_field_error) return -X_a >= closed_reach(tuning, scales, *far_field_error);
+    const double half_width = contact::line(shape) ? 1.0 : chosen_half_width(tuning, X_a, X_b, shape);
+    const RoughError error = rough_error(scales, X_a, half_width);
+    return error.inlet <= most_at_inlet && error.load <= tuning.most_of_load;
   };
   for (int m = 20; m < 32; ++m)
     if (enough(m, 32)) return X_a;
@@ -177,16 +176,18 @@ double estimate_domain_error(const Scene& scene) {
   if (!scene.far_field && rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
   const int least =
-      static_cast<int>(fewest_cells * slenderness(scene.M, scene.L, scene.shape) / core::stretch(scene.grid));
+      static_cast<int>(scene.tuning.domain_fewest_cells * scene.contact.slenderness / core::stretch(scene.grid));
   while (coarse.grid.nx >= 2 * least && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);
   coarse.deformation = {};
   coarse.solver = {};
-  coarse.solver.tolerance = tolerance;
+  coarse.solver.tuning = scene.solver.tuning;
+  coarse.solver.judgement = scene.solver.judgement;
+  coarse.solver.tolerance = scene.tuning.domain_tolerance;
   Scene longer = coarse;
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   longer.grid.nx *= 2;
-  if (!contact::line(scene.shape)) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0, longer.grid.ny *= 2;
+  if (!contact::line(scene.contact.shape)) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0, longer.grid.ny *= 2;
   double estimate = std::numeric_limits<double>::quiet_NaN();
   try {
     estimate = central_film(longer) / central_film(coarse) - 1.0;

@@ -26,33 +26,30 @@ double rough_domain_error(const Scene& scene);
 ///   A and B as above. For an oblique ellipse the domain reaches to where the gap is as wide as at that distance across
 ///   its longer axis.
 ///   Rupture, whose lines are straight where the film is negligible against the gap: it falls with the fifth power too.
-/// in: M > 0, L >= 0, 0 < error.
-double closed_reach(double M, double L, const contact::Ellipse& shape, double error);
-
-/// Allowed error of Hc of a domain that is chosen with the far field in closed form. [bench: error_of_closed_domain]
-inline constexpr double error_of_closed_domain = 5e-5;
+/// in: 0 < error.
+double closed_reach(const Tuning& tuning, const ContactScales& scales, double error);
 
 /// Default inlet boundary: the shortest that keeps the inlet part of rough_domain_error() below 0.6 % (line contacts
 /// and rollers: 0.3 %) and the load part below 2 %, on a domain of the default width; with the far field in closed
 /// form, closed_reach() for the given error.
 /// The candidates keep (0,0) a node of every grid with a multiple of 32 cells: |X_a|/X_b = m/(32 - m), m = 20 .. 31,
 /// with 64 and 128 cells for longer domains, up to |X_a| = 200. For an ellipse these are multiples of its extent along
-/// X. At M = 50, L = 10 the result is the paper's -4.5. in: M > 0, L >= 0, X_b > 0 the outlet boundary. out: X_a < 0.
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {},
+/// X. At M = 50, L = 10 the result is the paper's -4.5. in: X_b > 0 the outlet boundary. out: X_a < 0.
+double chosen_inlet(const Tuning& tuning, const ContactScales& scales, double X_b,
                     std::optional<double> far_field_error = {});
 
 /// Default outlet boundary: 1.5, or 3 for a thick film (Hc > 1.5), which cavitates further downstream; for a thick film
 /// with the far field in closed form, half of closed_reach(). For an ellipse 1.5 and 3 are multiples of its extent
-/// along X; a line contact has 1.5 contact_size(). in: M > 0, L >= 0.
-double chosen_outlet(double M, double L, const contact::Ellipse& shape = {},
-                     std::optional<double> far_field_error = {});
+/// along X; a line contact has 1.5 of its size.
+double chosen_outlet(const Tuning& tuning, const ContactScales& scales, std::optional<double> far_field_error = {});
 
 /// Default half width of the domain: half the length for a circle. For an ellipse the undeformed gap at the sides is as
 /// wide as half a length away along X; at least 1.4 times the extent of the ellipse, and a multiple of 1/32 of the
 /// length, so that hx = hy. With the far field in closed form it is a quarter wider, because the thinnest film lies at
 /// the sides. [bench: wider_closed_domain]
 /// Stretched cells: not widened, and a multiple of 1/128 of the length. in: X_a < X_b.
-double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape = {}, bool far_field_closed = false);
+double chosen_half_width(const Tuning& tuning, double X_a, double X_b, const contact::Ellipse& shape = {},
+                         bool far_field_closed = false);
 
 /// Relative growth of Hc on a domain twice as long (upstream) and twice as wide, from two solutions on coarse grids of
 /// the same mesh size. For lightly loaded contacts, where the load of the far field dominates: half of the rough

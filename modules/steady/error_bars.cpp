@@ -12,17 +12,11 @@
 #include "steady/layer_error.hpp"
 #include "steady/observed_errors.hpp"
 #include "steady/relief.hpp"
-#include "steady/resolution.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
 namespace ehl::steady {
 namespace {
-
-/// Largest ratio of successive differences of P_max that still counts as convergence of a smooth pressure.
-constexpr double falls = 0.7;
-/// Relative changes of P_max below this are rounding of the discrete solutions.
-constexpr double at_rest = 1e-5;
 
 Estimate extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
   const judgement::Extrapolation result = judgement::extrapolate(values, order, unsure);
@@ -33,7 +27,7 @@ Estimate extrapolated(const std::vector<double>& values, double order, double un
 
 // Mesh size along X. Cells with the aspect ratio of the contact are as good as square cells of their width.
 double step_in_shape(const Scene& scene, int nx) {
-  const contact::Extent reach = contact::extent(scene.shape);
+  const contact::Extent reach = contact::extent(scene.contact.shape);
   const double longer = std::clamp(reach.X / reach.Y, 1.0, core::stretch(scene.grid));
   return (scene.grid.X_b - scene.grid.X_a) / nx / longer;
 }
@@ -48,53 +42,53 @@ struct MeshError {
 MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
+  const judgement::Tuning& judged = scene.solver.judgement;
   const double step = step_in_shape(scene, row.nx);
-  const double error = judgement::error_of_one_grid(step, row.Hm_fitted, order);
+  const double error = judgement::error_of_one_grid(judged, step, row.Hm_fitted, order);
   // Beside an ellipse the zone of the thinnest film is that of a circle's film of this thickness.
-  const double error_Hm = judgement::error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);
+  const double error_Hm =
+      judgement::error_of_one_grid(judged, step, row.Hm_fitted / scene.contact.edge_steepness, order);
   return {error, error_Hm + of_node, error_Hm};
 }
 
-// A spike that has not settled grows with every grid. It may grow by this multiple of its last growth.
-// [bench: may_rise_by]
-constexpr double may_rise_by = 4.0;
-
-bool settles(const std::vector<double>& P) {
+// True if the differences fall or are rounding of the discrete solutions.
+bool settles(const Tuning& tuning, const std::vector<double>& P) {
   const std::size_t n = P.size();
   const double before = std::abs(P[n - 2] - P[n - 3]);
-  return std::abs(P[n - 1] - P[n - 2]) <= std::max(falls * before, at_rest * P[n - 1]);
+  return std::abs(P[n - 1] - P[n - 2]) <= std::max(tuning.pressure_falls * before, tuning.pressure_at_rest * P[n - 1]);
 }
 
-/// Assumed order of convergence of P_max. A smooth maximum is of second order; its distance from the nearest node and a
-/// spike beside it lower that. [bench: order_of_P_max]
-constexpr double order_of_P_max = 1.5;
-
-/// A hidden spike: the pressure at the rim is below this share of the plateau, about as in the dry contact, but ln
-/// eta_bar at the dry contact's rim pressure exceeds a limit, so that the oil makes a spike. [bench: solid_at_rim]
-constexpr double rim_without_spike = 0.85, solid_at_rim = 12.0, dry_rim = 0.8;
-
-bool may_hide_spike(const rheology::ViscosityLaw& viscosity, double P_max, double P_rim) {
-  return P_rim < rim_without_spike * P_max && rheology::log_viscosity_at(viscosity, dry_rim) > solid_at_rim;
+/// A hidden spike: the pressure at the rim is below a share of the plateau, about as in the dry contact, but ln eta_bar
+/// at the dry contact's rim pressure exceeds a limit, so that the oil makes a spike.
+bool may_hide_spike(const Scene& scene, double P_max, double P_rim) {
+  const Tuning& tuning = scene.tuning;
+  return P_rim < tuning.rim_without_spike * P_max &&
+         rheology::log_viscosity_at(scene.viscosity, tuning.dry_rim) > tuning.solid_at_rim;
 }
 
 void judge_P_max(const Scene& scene, const std::vector<double>& P_max, const std::vector<double>& P_rim,
                  ErrorBars& bars) {
   const std::size_t n = P_max.size();
+  const Tuning& tuning = scene.tuning;
+  const judgement::Tuning& judged = scene.solver.judgement;
   if (n < 3) {
-    bars.spike_unresolved = n > 0 && (P_rim[n - 1] > rim_without_spike * P_max[n - 1] ||
-                                      may_hide_spike(scene.viscosity, P_max[n - 1], P_rim[n - 1]));
+    bars.spike_unresolved = n > 0 && (P_rim[n - 1] > tuning.rim_without_spike * P_max[n - 1] ||
+                                      may_hide_spike(scene, P_max[n - 1], P_rim[n - 1]));
     return;
   }
   bars.spike_unresolved = true;
-  bars.spike_unseen = may_hide_spike(scene.viscosity, P_max[n - 1], P_rim[n - 1]);
+  bars.spike_unseen = may_hide_spike(scene, P_max[n - 1], P_rim[n - 1]);
   if (bars.spike_unseen) return;
-  const double of_rim = settles(P_rim) ? P_rim[n - 1] * judgement::estimate_error(P_rim, 1.0).relative_error
-                                       : may_rise_by * std::abs(P_rim[n - 1] - P_rim[n - 2]);
+  // A spike that has not settled grows with every grid.
+  const double of_rim = settles(tuning, P_rim)
+                            ? P_rim[n - 1] * judgement::estimate_error(judged, P_rim, 1.0).relative_error
+                            : tuning.may_rise_by * std::abs(P_rim[n - 1] - P_rim[n - 2]);
   const bool overtakes = P_rim[n - 1] + of_rim > P_max[n - 1];
-  bars.P_max_converging = settles(P_max) && (settles(P_rim) || !overtakes);
+  bars.P_max_converging = settles(tuning, P_max) && (settles(tuning, P_rim) || !overtakes);
   bars.spike_unresolved = !bars.P_max_converging;
   if (!bars.P_max_converging) return;
-  bars.P_max = judgement::estimate_error(P_max, order_of_P_max).relative_error;
+  // A smooth maximum is of second order; its distance from the nearest node and a spike beside it lower that.
+  bars.P_max = judgement::estimate_error(judged, P_max, tuning.order_of_P_max).relative_error;
   if (overtakes) bars.P_max = std::max(bars.P_max, (P_rim[n - 1] + of_rim) / P_max[n - 1] - 1.0);
 }
 
@@ -118,48 +112,41 @@ double correction(const adjoint::PredictedChange& parts, double seen) {
 // The shares below are calibrated on contacts of many laws and shapes. [bench: share_of_terms]
 
 /// Error of Hc: the correction by the grid sequence, and a share of the terms added as if they were independent.
-constexpr double share_of_terms = 0.55;
-double mesh_error_of_Hc(const adjoint::PredictedChange& parts, double seen) {
-  return std::abs(correction(parts, seen)) + share_of_terms * std::hypot(parts.poiseuille * of_second_order,
-                                                                         parts.film * of_second_order,
-                                                                         parts.wedge * of_wedge);
+double mesh_error_of_Hc(const Tuning& tuning, const adjoint::PredictedChange& parts, double seen) {
+  return std::abs(correction(parts, seen)) + tuning.share_of_terms * std::hypot(parts.poiseuille * of_second_order,
+                                                                                parts.film * of_second_order,
+                                                                                parts.wedge * of_wedge);
 }
 /// Error of the fitted minimum: the sum of all terms without cancellation, because the minimum on the coarse grid of
 /// the adjoint solution lies at a slightly different place; at least the correction by the grid sequence. A share of
-/// the disagreement between the two is added. [bench: share_of_terms]
-constexpr double share_of_disagreement = 0.25;
-double mesh_error_of_Hm(const adjoint::PredictedChange& parts, double seen) {
+/// the disagreement between the two is added.
+double mesh_error_of_Hm(const Tuning& tuning, const adjoint::PredictedChange& parts, double seen) {
   return std::max(std::abs(correction(parts, seen)), of_pressure_and_film(parts) + of_wedge_alone(parts)) +
-         share_of_disagreement * disagreement(parts, seen);
+         tuning.share_of_disagreement * disagreement(parts, seen);
 }
 
 /// Algebraic error by the residual. A residual that changes its sign from node to node is seen by the coarse adjoint
-/// solution only to this accuracy. [bench: share_of_scattered]
-constexpr double share_of_scattered = 0.1;
-double cycles_error_by_weights(const adjoint::PredictedChange& parts, double by_change) {
-  return by_change + std::abs(parts.left) + share_of_scattered * std::abs(parts.scattered);
+/// solution only to a share of it.
+double cycles_error_by_weights(const Tuning& tuning, const adjoint::PredictedChange& parts, double by_change) {
+  return by_change + std::abs(parts.left) + tuning.share_of_scattered * std::abs(parts.scattered);
 }
 
 /// Error of the extrapolated Hc: the next order of the terms, by the mesh size over the zone in which the film forms,
-/// and a share of the disagreement with the grid sequence. [bench: share_of_disagreement_extrapolated]
-constexpr double next_order = 2.0, share_of_disagreement_extrapolated = 0.17;
-Estimate Hc_by_weights(const adjoint::PredictedChange& parts, double value, double seen, double step,
-                       double algebraic) {
-  const double error = next_order * step * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
-                       share_of_disagreement_extrapolated * disagreement(parts, seen);
+/// and a share of the disagreement with the grid sequence.
+Estimate Hc_by_weights(const Tuning& tuning, const adjoint::PredictedChange& parts, double value, double seen,
+                       double step, double algebraic) {
+  const double error = tuning.next_order * step * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
+                       tuning.share_of_disagreement_extrapolated * disagreement(parts, seen);
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
 /// Error of the extrapolated Hm: a share of the terms, and the disagreement with the grid sequence.
-/// [bench: share_of_terms_extrapolated]
-constexpr double share_of_terms_extrapolated = 0.6;
-Estimate Hm_by_weights(const adjoint::PredictedChange& parts, double value, double seen, double algebraic) {
-  const double error = share_of_terms_extrapolated * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
+Estimate Hm_by_weights(const Tuning& tuning, const adjoint::PredictedChange& parts, double value, double seen,
+                       double algebraic) {
+  const double error = tuning.share_of_terms_extrapolated * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
                        disagreement(parts, seen) * of_second_order;
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
 
-/// In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
-constexpr double widest_zone = 0.5;
 /// True if the last two changes of Hc have the same sign and decrease. At low loads the edge of rupture may turn the
 /// sign; the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error.
 /// [bench: changes_fall]
@@ -170,11 +157,6 @@ bool changes_fall(const std::vector<LevelRow>& levels) {
   return change * before > 0.0 && std::abs(change) < std::abs(before);
 }
 
-/// Upper bound on the adjoint estimate of Hm, in multiples of the grid sequence's. The adjoint solution is that of a
-/// coarse grid; if its film is zero or negative, as beside slender contacts, the adjoint estimate is far too large.
-/// [bench: most_of_levels]
-constexpr double most_of_levels = 3.0;
-
 Estimate narrower(const Estimate& plain, const Estimate& extrapolated) {
   return extrapolated.error < plain.error ? extrapolated : plain;
 }
@@ -183,19 +165,25 @@ void judge_by_adjoint(const Scene& scene, const adjoint::Errors& errors, const s
                       ErrorBars& bars) {
   const LevelRow& last = levels.back();
   const LevelRow& below = levels[levels.size() - 2];
+  const Tuning& tuning = scene.tuning;
   const double seen_Hc = 1.0 - below.Hc / last.Hc;
   const double seen_Hm = 1.0 - below.Hm_fitted / last.Hm_fitted;
   const double of_node = std::abs(last.Hm - last.Hm_fitted) / last.Hm;
-  bars.Hc = {mesh_error_of_Hc(errors.Hc, seen_Hc), cycles_error_by_weights(errors.Hc, bars.Hc.algebraic)};
+  bars.Hc = {mesh_error_of_Hc(tuning, errors.Hc, seen_Hc),
+             cycles_error_by_weights(tuning, errors.Hc, bars.Hc.algebraic)};
   const double by_levels = bars.Hm_fitted.discretization;
-  bars.Hm_fitted = {std::min(mesh_error_of_Hm(errors.Hm, seen_Hm), most_of_levels * by_levels),
-                    cycles_error_by_weights(errors.Hm, bars.Hm.algebraic)};
+  // The adjoint solution is that of a coarse grid; if its film is zero or negative, as beside slender contacts, the
+  // adjoint estimate is far too large.
+  bars.Hm_fitted = {std::min(mesh_error_of_Hm(tuning, errors.Hm, seen_Hm), tuning.most_of_levels * by_levels),
+                    cycles_error_by_weights(tuning, errors.Hm, bars.Hm.algebraic)};
   bars.Hm = {bars.Hm_fitted.discretization + of_node, bars.Hm_fitted.algebraic};
-  const double zone = std::min(widest_zone, std::pow(last.Hm_fitted / edge_steepness(scene.shape), 2.0 / 3.0));
+  // In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
+  const double zone = std::min(tuning.widest_zone, std::pow(last.Hm_fitted / scene.contact.edge_steepness, 2.0 / 3.0));
   const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx / zone;
-  if (changes_fall(levels)) bars.Hc_extrapolated = Hc_by_weights(errors.Hc, last.Hc, seen_Hc, step, bars.Hc.algebraic);
+  if (changes_fall(levels))
+    bars.Hc_extrapolated = Hc_by_weights(tuning, errors.Hc, last.Hc, seen_Hc, step, bars.Hc.algebraic);
   if (levels.size() > 2)
-    bars.Hm_extrapolated = Hm_by_weights(errors.Hm, last.Hm_fitted, seen_Hm, bars.Hm_fitted.algebraic);
+    bars.Hm_extrapolated = Hm_by_weights(tuning, errors.Hm, last.Hm_fitted, seen_Hm, bars.Hm_fitted.algebraic);
   bars.Hc_best = narrower({last.Hc, bars.Hc.total()}, bars.Hc_extrapolated);
   bars.Hm_best = narrower({last.Hm_fitted, bars.Hm_fitted.total()}, bars.Hm_extrapolated);
 }
@@ -208,33 +196,26 @@ bool plain_line(const Scene& scene) {
 /// Line contacts: the grid sequence estimates better than the adjoint solution, whose cells are wider than a spike.
 /// Hc converges with nearly the order of the wedge. Hm lies behind a spike that few meshes resolve, and is of first
 /// order. [bench: line_bars]
-constexpr double order_of_Hc_of_line = 1.55, order_of_Hm_of_line = 1.05;
-
-void judge_line(const Solution& solution, ErrorBars& bars) {
+void judge_line(const Scene& scene, const Solution& solution, ErrorBars& bars) {
   const LevelRow& last = solution.levels.back();
   const auto error = [&](double LevelRow::*value, double order) {
-    return judgement::estimate_error(multigrid::column(solution.levels, value), order).relative_error;
+    return judgement::estimate_error(scene.solver.judgement, multigrid::column(solution.levels, value), order)
+        .relative_error;
   };
-  bars.Hc.discretization = error(&LevelRow::Hc, order_of_Hc_of_line);
-  bars.Hm_fitted.discretization = error(&LevelRow::Hm_fitted, order_of_Hm_of_line);
+  bars.Hc.discretization = error(&LevelRow::Hc, scene.tuning.order_of_Hc_of_line);
+  bars.Hm_fitted.discretization = error(&LevelRow::Hm_fitted, scene.tuning.order_of_Hm_of_line);
   bars.Hm.discretization = bars.Hm_fitted.discretization + std::abs(last.Hm - last.Hm_fitted) / last.Hm;
   bars.Hc_best = {last.Hc, bars.Hc.total()};
   bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
 }
 
-/// Safety factor on the adjoint estimate of the error of the domain. [bench: safety_of_domain]
-constexpr double safety_of_domain = 5.0;
-/// Safety factor on the rough estimate for a line contact with the far field in closed form.
-/// [bench: safety_of_closed_line]
-constexpr double safety_of_closed_line = 3.0;
-
 double domain_error(const Scene& scene, const Solution& solution) {
   const bool ends_at_meniscus = scene.supply && !(solution.starvation && solution.starvation->filled > 0.0);
   if (ends_at_meniscus) return 0.0;
   if (solution.adjoint && scene.far_field && !plain_line(scene))
-    return safety_of_domain * std::max(solution.adjoint->Hc.domain, solution.adjoint->Hm.domain);
+    return scene.tuning.safety_of_domain * std::max(solution.adjoint->Hc.domain, solution.adjoint->Hm.domain);
   if (std::isfinite(solution.domain_error_Hc)) return std::abs(solution.domain_error_Hc);
-  return rough_domain_error(scene) * (plain_line(scene) && scene.far_field ? safety_of_closed_line : 1.0);
+  return rough_domain_error(scene) * (plain_line(scene) && scene.far_field ? scene.tuning.safety_of_closed_line : 1.0);
 }
 
 }  // namespace
@@ -243,6 +224,7 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   ErrorBars bars;
   if (solution.levels.empty()) return bars;
   const double order = reynolds::order(scene.wedge);
+  const judgement::Tuning& judged = scene.solver.judgement;
   const LevelRow& last = solution.levels.back();
   const Verification& checked = solution.verification;
   const MeshError mesh = mesh_error(scene, last, order);
@@ -258,28 +240,28 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   // Beside a meniscus the values have no fixed order, and for a line contact the extrapolation has no reliable error.
   if (!scene.supply && !plain_line(scene)) {
-    bars.Hc_extrapolated = extrapolated(multigrid::column(solution.levels, &LevelRow::Hc), order,
-                                        judgement::unsure_of_Hc, checked.algebraic_error_Hc);
+    bars.Hc_extrapolated = extrapolated(multigrid::column(solution.levels, &LevelRow::Hc), order, judged.unsure_of_Hc,
+                                        checked.algebraic_error_Hc);
     bars.Hm_extrapolated = extrapolated(multigrid::column(solution.levels, &LevelRow::Hm_fitted), order,
-                                        judgement::unsure_of_Hm, checked.algebraic_error_Hm);
+                                        judged.unsure_of_Hm, checked.algebraic_error_Hm);
   }
   if (reynolds::third_order(scene.wedge) && std::isfinite(bars.Hm_extrapolated.error)) {
     const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
-    const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);
+    const double least = judgement::third_order_floor(step, last.Hm_fitted, judged.third_order_floor_of_Hm);
     bars.Hm_extrapolated.error = std::max(least, bars.Hm_extrapolated.error);
   }
   bars.domain = domain_error(scene, solution);
   if (solution.levels.size() > 1) {
     if (plain_line(scene) && multigrid::column(solution.levels, &LevelRow::Hc).size() > 1)
-      judge_line(solution, bars);
+      judge_line(scene, solution, bars);
     else if (!plain_line(scene) && solution.adjoint)
       judge_by_adjoint(scene, *solution.adjoint, solution.levels, bars);
   }
   judge_P_max(scene, multigrid::column(solution.levels, &LevelRow::P_max),
               multigrid::column(solution.levels, &LevelRow::P_rim), bars);
-  add_errors_of_supply(solution.passes, bars);
+  add_errors_of_supply(scene.tuning, solution.passes, bars);
   leave_open_on_relief(scene, bars);
-  bars.observed = errors_of_observed(solution.levels, bars.spike_unresolved);
+  bars.observed = errors_of_observed(scene, solution.levels, bars.spike_unresolved);
   return bars;
 }
 

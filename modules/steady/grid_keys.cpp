@@ -99,68 +99,62 @@ constexpr int most_chosen_cells = 1024;
 constexpr int most_cells_of_line = 8192;
 constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
-/// With a required accuracy, the largest share of it for the error of a closed domain.
-constexpr double share_of_accuracy = 0.1;
-
 bool closed(const deck::Part& domain) { return domain.choice("far_field", {true, false}); }
 
-void choose_domain(const deck::Part& domain, double accuracy, const contact::Groups& groups, double wider) {
+void choose_domain(const Tuning& tuning, const deck::Part& domain, double accuracy, const ContactScales& contact,
+                   double wider) {
   std::optional<double> far_field;
   // With an error in the contact the domain has no meaning.
-  const bool known = groups.M > 0.0 && groups.L >= 0.0;
+  const bool known = contact.M > 0.0 && contact.L >= 0.0;
   if (closed(domain) && known)
     // fmin() ignores an accuracy that is NaN.
-    far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);
-  const bool roller = contact::roller(groups.shape);
-  if (contact::line(groups.shape))
+    far_field = std::fmin(tuning.error_of_closed_domain, tuning.share_of_accuracy * accuracy);
+  const bool roller = contact::roller(contact.shape);
+  if (contact::line(contact.shape))
     domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
                                      : "has no influence on a line contact, which has no sides: remove it");
-  domain.fill("x_outlet", wider * chosen_outlet(groups.M, groups.L, groups.shape, far_field),
-              "downstream of the cavitation boundary");
+  domain.fill("x_outlet", wider * chosen_outlet(tuning, contact, far_field), "downstream of the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
-  domain.fill("x_inlet", wider * chosen_inlet(groups.M, groups.L, x_outlet / wider, groups.shape, far_field),
+  domain.fill("x_inlet", wider * chosen_inlet(tuning, contact, x_outlet / wider, far_field),
               far_field ? "far_field = closed: a domain of half this length would change the film by less than 0.2 %"
                         : "the inlet boundary changes the film by less than about 1 %, or lies 200 radii upstream");
-  if (roller) domain.follow("y_half", groups.shape.kappa, "the ends of the roller");
-  if (contact::line(groups.shape)) return;
-  domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape, far_field.has_value()),
-              !contact::circular(groups.shape) ? "the gap at the sides is as wide as at the inlet"
-              : far_field                      ? "1.25 times half the length of the domain"
-                                               : "half the length of the domain");
+  if (roller) domain.follow("y_half", contact.shape.kappa, "the ends of the roller");
+  if (contact::line(contact.shape)) return;
+  domain.fill("y_half",
+              chosen_half_width(tuning, domain.number("x_inlet"), x_outlet, contact.shape, far_field.has_value()),
+              !contact::circular(contact.shape) ? "the gap at the sides is as wide as at the inlet"
+              : far_field                       ? "1.25 times half the length of the domain"
+                                                : "half the length of the domain");
 }
 
 // Least number of cells along x for an oblique ellipse: as many along its shorter axis in both directions as resolve
 // it, with one grid below the finest for the estimate of the mesh error. [bench: cells_on_circle]
-double fewest_oblique(double length, const contact::Groups& groups) {
-  constexpr double cells_on_circle = 48.0;
-  constexpr double per_contact_size = 5.0;
-  const double sizes = length / contact_size(groups.M, groups.L, groups.shape);
-  return std::max(cells_on_circle, per_contact_size * sizes) * slenderness(groups.M, groups.L, groups.shape);
+double fewest_oblique(const Tuning& tuning, double length, const ContactScales& contact) {
+  const double sizes = length / contact.size;
+  return std::max(tuning.cells_on_circle, tuning.cells_per_contact_size * sizes) * contact.slenderness;
 }
 
 // Chooses the level that resolves the film if the deck leaves the cells open.
-void choose_cells(const deck::Part& grid, const deck::Part& domain, const contact::Groups& groups,
+void choose_cells(const Tuning& tuning, const deck::Part& grid, const deck::Part& domain, const ContactScales& contact,
                   reynolds::Wedge wedge) {
   if (grid.given("cells")) return;
   const double length = domain.number("x_outlet") - domain.number("x_inlet");
   if (std::isnan(length)) return;
   int fewest = std::max(grid.integer("coarsest", fewest_chosen_cells), 1);
   // A slender or oblique contact needs more cells along X to be resolved at all.
-  const double least = contact::gap(groups.shape).oblique()
-                           ? fewest_oblique(length, groups)
-                           : 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
-  const double stretch = std::max(1.0, 1.0 / cell_aspect(groups.shape));
+  const double least = contact::gap(contact.shape).oblique() ? fewest_oblique(tuning, length, contact)
+                                                             : 0.5 * fewest_chosen_cells * contact.slenderness;
+  const double stretch = std::max(1.0, 1.0 / cell_aspect(tuning, contact.shape));
   while (fewest < fewest_chosen_cells || fewest <= least / stretch) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);
-  if (contact::line(groups.shape) && !contact::roller(groups.shape)) {
+  if (contact::line(contact.shape) && !contact::roller(contact.shape)) {
     most = most_cells_of_line;
-  } else if (!contact::circular(groups.shape)) {
-    const double most_along =
-        std::sqrt(most_nodes_of_ellipse * cell_aspect(groups.shape) * length / (2.0 * domain.number("y_half")));
+  } else if (!contact::circular(contact.shape)) {
+    const double most_along = std::sqrt(most_nodes_of_ellipse * cell_aspect(tuning, contact.shape) * length /
+                                        (2.0 * domain.number("y_half")));
     for (most = fewest; 2 * most <= most_along;) most *= 2;
   }
-  const int cells =
-      resolving_cells(stretch * resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
+  const int cells = resolving_cells(stretch * resolving_step(tuning, contact, wedge), length, fewest, most);
   grid.choose("cells", cells, cells < most ? "resolves the film" : "the largest number that is chosen automatically");
 }
 
@@ -196,10 +190,11 @@ AccuracyTarget read_accuracy(deck::Deck& deck) {
   return target;
 }
 
-void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider) {
+void choose_grid(deck::Deck& deck, const Tuning& tuning, const ContactScales& contact, reynolds::Wedge wedge,
+                 double wider) {
   const deck::Part domain{deck, "domain"};
-  choose_domain(domain, deck::Part{deck, "grid"}.number("accuracy"), groups, wider);
-  choose_cells({deck, "grid"}, domain, groups, wedge);
+  choose_domain(tuning, domain, deck::Part{deck, "grid"}.number("accuracy"), contact, wider);
+  choose_cells(tuning, {deck, "grid"}, domain, contact, wedge);
   if (!deck::given(deck, "grid", "accuracy")) return;
   // The chosen grid is only the first to be tried: marked as following, since an accuracy beside a given grid is
   // refused.
@@ -272,19 +267,20 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
   return input;
 }
 
-bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves) {
+bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellipse& shape, double steepest_load,
+                    bool body_moves) {
   // The oil outside the domain carries a change of load by squeeze, with boundary pressures at which the bodies are no
   // longer rigid. Ellipses across the motion have a short inlet beside their width. [bench: too_steep]
-  constexpr double too_steep = 2.0, too_steep_for_ellipses = 0.5;
-  const bool steep = steepest_load > too_steep;
-  const bool unsure = contact::circular(shape) ? steep : steepest_load > too_steep_for_ellipses;
+  const bool steep = steepest_load > tuning.too_steep;
+  const bool unsure = contact::circular(shape) ? steep : steepest_load > tuning.too_steep_for_ellipses;
   const deck::Part domain{deck, "domain"};
   if (steep && domain.given("far_field") && closed(domain))
     domain.complain(
         "far_field",
         fmt::format("the load of [transient] {}, and far_field = closed allows at most {:g} times the contact's load "
                     "within a/u_m: set zero",
-                    std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load), too_steep));
+                    std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load),
+                    tuning.too_steep));
   // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
   if (unsure || body_moves)
     domain.follow("far_field", std::string("zero"), unsure ? "the load changes fast in time" : "a body moves");

@@ -14,7 +14,8 @@ std::vector<deck::Key> grid_keys();
 AccuracyTarget read_accuracy(deck::Deck& deck);
 /// Records in the deck the domain and the cells that it leaves open (domain_error.hpp, resolution.hpp). in: wider, the
 /// factor on inlet and outlet for a load that is unevenly spread.
-void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider = 1.0);
+void choose_grid(deck::Deck& deck, const Tuning& tuning, const ContactScales& contact, reynolds::Wedge wedge,
+                 double wider = 1.0);
 /// Complains about a domain, given by the deck, that ends within the dry contact.
 void check_contains(deck::Deck& deck, const contact::Ellipse& shape);
 /// The finest grid, and the number of cells along x of the coarsest one; 0 if left open.
@@ -23,9 +24,9 @@ struct GridInput {
   int coarsest = 0;
 };
 /// Reads the grid. Complains about cells that cannot be halved down to a coarsest grid, and about cells wider than half
-/// of `size`. in: size, contact_size(), or nothing if the contact itself has an error, so that a domain chosen for it
-/// has no meaning; aspect, the hy/hx to approximate; line, true for a line contact, which has one line of nodes. out:
-/// ny = 0 if something is missing or wrong.
+/// of `size`. in: size, ContactScales::size, or nothing if the contact itself has an error, so that a domain chosen for
+/// it has no meaning; aspect, the hy/hx to approximate; line, true for a line contact, which has one line of nodes.
+/// out: ny = 0 if something is missing or wrong.
 GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect = 1.0, bool line = false);
 /// Reads [grid] errors: true for adjoint error estimates.
 bool read_adjoint_errors(deck::Deck& deck);
@@ -33,7 +34,8 @@ bool read_adjoint_errors(deck::Deck& deck);
 /// whether a body moves. Complains if the deck asks for the closed form at a rate above 2 in a/u_m, which that form
 /// does not follow. If the deck leaves the far field open, it is zero above that rate (0.5 if the contact is not
 /// circular) and for moving bodies.
-bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves);
+bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellipse& shape, double steepest_load,
+                    bool body_moves);
 /// Complains if the chosen domain cuts off half of the film; a domain that the deck gives may do so, because a starved
 /// film may be wanted. Complains too if the domain ends where the far field in closed form has no meaning.
 void check_domain(deck::Deck& deck, const Scene& scene);

@@ -2,7 +2,7 @@
 
 namespace ehl::steady {
 
-Sides sides_of(const Scene& scene) { return contact::line(scene.shape) ? Sides::stay : Sides::move; }
+Sides sides_of(const Scene& scene) { return contact::line(scene.contact.shape) ? Sides::stay : Sides::move; }
 
 core::Grid doubled(const core::Grid& grid, Sides sides) {
   if (grid.line) return core::line_grid(2 * grid.nx, grid.X_a - (grid.X_b - grid.X_a), grid.X_b);

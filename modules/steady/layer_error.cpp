@@ -5,17 +5,14 @@
 #include <limits>
 
 #include "judgement/error_estimate.hpp"
+#include "steady/scene.hpp"
 
 namespace ehl::steady {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Assumed order of convergence of the supply. [bench: order_of_supply]
-constexpr double order_of_supply = 1.0;
-/// Passes whose supplies differ by less do not determine the derivative of the film.
-constexpr double least_difference = 0.05;
 
-double derivative(const std::vector<Pass>& passes, double Pass::*film) {
+double derivative(double least_difference, const std::vector<Pass>& passes, double Pass::*film) {
   constexpr double in_proportion = 1.0;
   const Pass& last = passes.back();
   for (std::size_t k = passes.size() - 1; k-- > 0;) {
@@ -30,7 +27,7 @@ double derivative(const std::vector<Pass>& passes, double Pass::*film) {
 
 }  // namespace
 
-void judge_layers(const std::vector<double>& coarse, std::vector<Pass>& passes) {
+void judge_layers(const Scene& scene, const std::vector<double>& coarse, std::vector<Pass>& passes) {
   double error = 0.0;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     if (k >= coarse.size()) {
@@ -38,19 +35,22 @@ void judge_layers(const std::vector<double>& coarse, std::vector<Pass>& passes) 
       continue;
     }
     const double both[] = {coarse[k], passes[k].supply};
-    if (k > 0) error = std::max(error, judgement::estimate_error(both, order_of_supply).relative_error);
+    if (k > 0)
+      error = std::max(
+          error, judgement::estimate_error(scene.solver.judgement, both, scene.tuning.order_of_supply).relative_error);
     passes[k].supply_error = error;
   }
 }
 
-SupplyErrors errors_of_supply(const std::vector<Pass>& passes) {
+SupplyErrors errors_of_supply(const Tuning& tuning, const std::vector<Pass>& passes) {
   const double error = passes.back().supply_error;
-  return {error * derivative(passes, &Pass::Hc), error * derivative(passes, &Pass::Hm)};
+  const double least = tuning.least_supply_difference;
+  return {error * derivative(least, passes, &Pass::Hc), error * derivative(least, passes, &Pass::Hm)};
 }
 
-void add_errors_of_supply(const std::vector<Pass>& passes, ErrorBars& bars) {
+void add_errors_of_supply(const Tuning& tuning, const std::vector<Pass>& passes, ErrorBars& bars) {
   if (passes.size() < 2) return;
-  const SupplyErrors errors = errors_of_supply(passes);
+  const SupplyErrors errors = errors_of_supply(tuning, passes);
   bars.Hc.discretization += errors.Hc;
   bars.Hm.discretization += errors.Hm;
   bars.Hm_fitted.discretization += errors.Hm;

@@ -12,12 +12,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Largest mesh size of the first grid, in units of contact_size.
-constexpr double largest_first_step = 0.4;
-/// Largest mesh size of the first grid in units of film_zone: a coarser grid does not see the zones in which the film
-/// forms. [bench: widest_step]
-constexpr double widest_step = 2.5;
-
 /// The lower half of the domain if the scene is symmetric in Y and halving keeps all the levels, else all of the
 /// domain.
 core::Patch patch_to_compute_on(const Scene& scene, const multigrid::Parameters& parameters) {
@@ -35,23 +29,23 @@ core::Patch patch_to_compute_on(const Scene& scene, const multigrid::Parameters&
 /// domains of lightly loaded contacts the cells must still resolve the contact.
 int first_cells(int cells, const Scene& scene) {
   const double stretch = core::stretch(scene.grid);
-  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
-  const double slender = slenderness(scene.M, scene.L, scene.shape);
+  const double length = (scene.grid.X_b - scene.grid.X_a) / scene.contact.size;
+  const double slender = scene.contact.slenderness;
   // For an oblique contact the shorter axis needs cells in both directions. [bench: first_cells_of_oblique_contacts]
-  if (contact::gap(scene.shape).oblique()) cells /= 4;
+  if (contact::gap(scene.contact.shape).oblique()) cells /= 4;
   return std::max(static_cast<int>(cells * slender / stretch),
-                  static_cast<int>(length / largest_first_step * slender / stretch));
+                  static_cast<int>(length / scene.tuning.largest_first_step * slender / stretch));
 }
 
 std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
   if (!scene.far_field) return std::nullopt;
-  return far_field(scene, contact::load(scene.shape), scene.grid);
+  return far_field(scene, contact::load(scene.contact.shape), scene.grid);
 }
 
 reynolds::Transport transport_of(const Scene& scene) {
   reynolds::Transport transport = scene.wedge;
   // The coupling by the film, as for the crossover.
-  transport.third_order_from *= scene.shape.p_h / scene.shape.a;
+  transport.third_order_from *= scene.contact.shape.p_h / scene.contact.shape.a;
   return transport;
 }
 
@@ -101,7 +95,7 @@ std::vector<double> observed(const Scene& scene, const multigrid::Hierarchy& hie
 }
 
 multigrid::Geometry geometry_of(const Scene& scene) {
-  const contact::Ellipse& shape = scene.shape;
+  const contact::Ellipse& shape = scene.contact.shape;
   return {.gap = contact::gap(shape),
           .outline = contact::outline(shape),
           .kernel = {.plane = contact::line(shape) && !contact::roller(shape),
@@ -127,14 +121,15 @@ reynolds::FarField far_field(const Scene& scene, double load, const core::Grid& 
 
 bool held_by(int cells, const Scene& scene) {
   const double step = (scene.grid.X_b - scene.grid.X_a) / first_cells(cells, scene) / core::stretch(scene.grid);
-  return step <= widest_step * film_zone(scene.M, scene.L, scene.shape);
+  // A coarser grid does not see the zones in which the film forms.
+  return step <= scene.tuning.widest_step * scene.contact.film_zone;
 }
 
 double first_H00(const Scene& scene) {
   // Beside a slender contact most of a thick initial film has to leave, and the outflow pulls the film below zero; a
   // thin film fills from the inlet. [bench: first_H00_of_slender_contacts]
-  const double share = core::stretched(scene.grid) ? 0.1 : 1.0;
-  return (scene.dry ? 0.0 : -scene.shape.approach) + share * expected_central_film(scene.M, scene.L, scene.shape);
+  const double share = core::stretched(scene.grid) ? scene.tuning.first_film_of_slender : 1.0;
+  return (scene.dry ? 0.0 : -scene.contact.shape.approach) + share * scene.contact.film;
 }
 
 bool on_one_half(const Scene& scene) {
@@ -145,7 +140,7 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
   int fewest_cells = first_cells(start.cells, scene);
   if (start.coarseness > 0.0) {
     const double step =
-        start.coarseness * resolving_step(scene.M, scene.L, scene.wedge, scene.shape) * core::stretch(scene.grid);
+        start.coarseness * resolving_step(scene.tuning, scene.contact, scene.wedge) * core::stretch(scene.grid);
     fewest_cells = std::max(fewest_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
   }
   const multigrid::Parameters parameters = parameters_of(scene, start);
@@ -157,7 +152,7 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
                .has_factors = scene.has_factors},
       .transport = transport_of(scene),
       .face = scene.face,
-      .load = contact::load(scene.shape),
+      .load = contact::load(scene.contact.shape),
       .cavitation = scene.supply ? reynolds::Cavitation::mass_conserving : reynolds::Cavitation::nonnegative_pressure,
       .supply = scene.supply,
       .supply_share = scene.supply_share,

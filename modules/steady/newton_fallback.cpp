@@ -11,19 +11,14 @@
 #include "multigrid/mass_balance.hpp"
 #include "multigrid/start.hpp"
 #include "newton/solve.hpp"
-#include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::steady {
 namespace {
 
-/// Relative residual on the grids below the finest: far below their discretization error.
-constexpr double tolerance_on_the_way = 1e-6;
 constexpr double tolerance_at_rounding = 1e-11;
 /// Residual below which a stalled iteration counts as solved to rounding. [bench: tolerance_of_rounding]
 constexpr double tolerance_of_rounding = 1e-9;
-/// Most cells of a start from the Hertz pressure: the number of Newton steps grows with the number of cells.
-constexpr int finest_from_hertz = 128;
 /// Number of coarser grids that the estimate of the discretization error needs.
 constexpr std::size_t levels_of_an_estimate = 2;
 
@@ -33,7 +28,7 @@ double final_tolerance(const Scene& scene) {
 }
 
 // Newton's method on level l, with its row in the table of levels.
-newton::Result solve_level_by_newton(multigrid::Run& run, std::size_t l, double tolerance) {
+newton::Result solve_level_by_newton(const Scene& scene, multigrid::Run& run, std::size_t l, double tolerance) {
   const judgement::Measures start = multigrid::measures_of(run.hierarchy, l);
   int steps = 0;
   const newton::Progress progress = [&](const newton::Step& step) {
@@ -43,35 +38,38 @@ newton::Result solve_level_by_newton(multigrid::Run& run, std::size_t l, double 
     return true;
   };
   const double of_rounding = std::fmin(tolerance_of_rounding, run.hierarchy.parameters.tolerance);
-  return newton::solve(run.hierarchy, l, {.tolerance = tolerance, .tolerance_of_rounding = of_rounding}, progress);
+  return newton::solve(run.hierarchy, l,
+                       {.tolerance = tolerance, .tolerance_of_rounding = of_rounding, .tuning = scene.newton},
+                       progress);
 }
 
 // Checks the state of the finest grid after Newton's method; its algebraic error is estimated from the residual, as
 // there is no last cycle.
-void judge(multigrid::Run& run) {
+void judge(const Scene& scene, multigrid::Run& run) {
   const std::size_t l = run.finest();
+  const judgement::Tuning& tuning = run.hierarchy.parameters.judgement;
   multigrid::Record& record = run.record;
   judgement::Measures now = multigrid::measures_of(run.hierarchy, l);
-  if (!judgement::unmet_oil(now).empty() && multigrid::balance_mass(run.hierarchy, run.hierarchy.finest()))
+  if (!judgement::unmet_oil(tuning, now).empty() && multigrid::balance_mass(run.hierarchy, run.hierarchy.finest()))
     now = multigrid::measures_of(run.hierarchy, l);
   multigrid::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
   multigrid::observe(run, l);
   const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
-  record.verification = judgement::verification_of(last);
+  record.verification = judgement::verification_of(tuning, last);
   const double asked = run.hierarchy.parameters.tolerance;
-  const double tolerance = std::isfinite(asked) ? asked : tolerance_on_the_way;
-  std::string unmet = judgement::unmet_check(last, tolerance);
-  if (unmet.empty()) unmet = judgement::unmet_oil(now);
+  const double tolerance = std::isfinite(asked) ? asked : scene.tuning.newton_on_the_way;
+  std::string unmet = judgement::unmet_check(tuning, last, tolerance);
+  if (unmet.empty()) unmet = judgement::unmet_oil(tuning, now);
   record.failed_check = unmet.empty() ? unmet : multigrid::name_of_level(run.hierarchy, l) + ": " + unmet;
   record.converged = unmet.empty();
-  record.end = unmet.empty()                 ? CyclesEnd::converged
-               : judgement::no_solution(now) ? CyclesEnd::no_solution
-                                             : CyclesEnd::stalled;
+  record.end = unmet.empty()                         ? CyclesEnd::converged
+               : judgement::no_solution(tuning, now) ? CyclesEnd::no_solution
+                                                     : CyclesEnd::stalled;
 }
 
 // Checks the state; if Newton's method did not converge, the solution fails with this reason.
-void judge(multigrid::Run& run, bool newton_converged, const std::string& reason) {
-  judge(run);
+void judge(const Scene& scene, multigrid::Run& run, bool newton_converged, const std::string& reason) {
+  judge(scene, run);
   if (newton_converged) return;
   run.record.failed_check = reason;
   run.record.converged = false;
@@ -79,7 +77,7 @@ void judge(multigrid::Run& run, bool newton_converged, const std::string& reason
 
 // Replaces the table of levels. Coarse states below a finest grid that the cycles did not solve say nothing about its
 // discretization error, so the two grids below it are solved again from its solution.
-void solve_levels_below(multigrid::Run& run) {
+void solve_levels_below(const Scene& scene, multigrid::Run& run) {
   run.record.levels.clear();
   const std::size_t finest = run.finest();
   std::vector<core::Field> injected;  // from level finest - 1 down
@@ -92,7 +90,7 @@ void solve_levels_below(multigrid::Run& run) {
     multigrid::RowTimer timer(run);
     const std::size_t l = finest - k;
     multigrid::start_from_state(run.hierarchy, l, {injected[k - 1], H00});
-    if (!solve_level_by_newton(run, l, tolerance_on_the_way).converged) {
+    if (!solve_level_by_newton(scene, run, l, scene.tuning.newton_on_the_way).converged) {
       run.record.levels.clear();
       continue;
     }
@@ -108,8 +106,8 @@ void solve_levels_below(multigrid::Run& run) {
 Solution polished(const Scene& scene, multigrid::Run&& run) {
   const double began = core::now();
   const bool was_converged = run.record.converged;
-  const newton::Result result = solve_level_by_newton(run, run.finest(), final_tolerance(scene));
-  if (result.converged || !was_converged) judge(run);
+  const newton::Result result = solve_level_by_newton(scene, run, run.finest(), final_tolerance(scene));
+  if (result.converged || !was_converged) judge(scene, run);
   run.record.levels.back().seconds += core::now() - began;
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -126,16 +124,16 @@ Solution refine_by_newton(const Scene& scene, const Start& start, const Solution
   run.record.levels = unsolved.levels;
   run.record.history = unsolved.history;
   multigrid::start_from_state(hierarchy, l, {core::on_patch(hierarchy.finest().grid, unsolved.P), unsolved.H00});
-  const newton::Result result = solve_level_by_newton(run, l, final_tolerance(scene));
+  const newton::Result result = solve_level_by_newton(scene, run, l, final_tolerance(scene));
   if (result.converged) {
     const multigrid::State solved = multigrid::state_of(hierarchy, l);
     const std::optional<multigrid::OilContent> content = hierarchy.finest().content;
-    solve_levels_below(run);
+    solve_levels_below(scene, run);
     run.record.levels.push_back(unsolved.levels.back());
     multigrid::start_from_state(hierarchy, l, solved);
     if (content) hierarchy.finest().content->chatters = content->chatters;
   }
-  judge(run, result.converged, result.reason);
+  judge(scene, run, result.converged, result.reason);
   run.record.levels.back().seconds += core::now() - began;
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -149,8 +147,8 @@ Solution follow_by_newton(const Scene& scene, const Start& start, const Solution
   const std::size_t l = run.finest();
   multigrid::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.finest().grid, before.P), before.H00});
   run.record.levels.emplace_back();
-  const newton::Result result = solve_level_by_newton(run, l, scene.solver.tolerance);
-  judge(run, result.converged, result.reason);
+  const newton::Result result = solve_level_by_newton(scene, run, l, scene.solver.tolerance);
+  judge(scene, run, result.converged, result.reason);
   timer.stop();
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -166,7 +164,7 @@ Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressC
     multigrid::RowTimer timer(run);
     if (solved)
       multigrid::start_from_coarser(run.hierarchy, l);
-    else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
+    else if (run.hierarchy.levels[l].grid.nx <= scene.tuning.finest_from_hertz)
       multigrid::start_from_hertz(run.hierarchy, l, first_H00(scene), 0);
     else
       throw core::SolverError("the Newton fallback solved no grid that is coarse enough to start from" +
@@ -174,7 +172,7 @@ Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressC
     const bool last_level = l == run.finest();
     run.record.levels.emplace_back();
     const newton::Result result =
-        solve_level_by_newton(run, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
+        solve_level_by_newton(scene, run, l, last_level ? final_tolerance(scene) : scene.tuning.newton_on_the_way);
     // A negative film on a coarse grid is no solution of the contact, but a good start for the next grid.
     solved = result.equations_met;
     steps = result.steps;
@@ -182,7 +180,7 @@ Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressC
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
     multigrid::observe(run, l);
     if (last_level) {
-      judge(run, result.converged, last_reason);
+      judge(scene, run, result.converged, last_reason);
     }
     timer.stop();
   }

@@ -19,8 +19,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Relative residual of the passes between the first and the last: the errors of what each leaves behind add up.
-constexpr double tolerance_between = 1e-9;
 /// Cells and coarsest grid for a pass that starts from the previous one.
 constexpr Start restart{.cells = 64, .coarsest = 32, .balances = 10};
 
@@ -56,16 +54,13 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
   return solution_of(scene, std::move(run));
 }
 
-/// Limits within which a pass with chattering nodes still counts, with a warning: a node at the edge of the film may be
-/// consistent neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved.
-/// [bench: chattering_residual]
-constexpr double chattering_residual = 2e-2;
-constexpr double chattering_load_error = 1e-4;
-
-bool only_chatters(const Solution& solution) {
+/// True if a pass with chattering nodes still counts, with a warning: a node at the edge of the film may be consistent
+/// neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved.
+bool only_chatters(const Scene& scene, const Solution& solution) {
   const LevelRow& row = solution.levels.back();
-  return row.Hm > 0.0 && row.residual <= chattering_residual && row.load_error <= chattering_load_error &&
-         std::abs(solution.oil.imbalance()) <= judgement::largest_oil_imbalance;
+  const Tuning& tuning = scene.tuning;
+  return row.Hm > 0.0 && row.residual <= tuning.chattering_residual && row.load_error <= tuning.chattering_load_error &&
+         std::abs(solution.oil.imbalance()) <= scene.solver.judgement.largest_oil_imbalance;
 }
 
 Pass row_of(const Scene& scene, const Solution& solution, int number, double carried_flooded) {
@@ -111,15 +106,16 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
 // [bench: go_on]
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
-  next.solver.tolerance = std::fmin(tolerance_between, scene.solver.tolerance);
+  // The errors of what each pass leaves behind add up.
+  next.solver.tolerance = std::fmin(scene.tuning.tolerance_between_passes, scene.solver.tolerance);
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   if (scene.polish != Polish::off && nodes <= most_nodes_of_newton) {
     Solution solution = follow_by_newton(next, restart, before, progress);
-    if (solution.converged || only_chatters(solution)) return solution;
+    if (solution.converged || only_chatters(scene, solution)) return solution;
   }
   try {
     Solution solution = cycles_from(next, before, progress);
-    if (solution.converged || only_chatters(solution)) return solution;
+    if (solution.converged || only_chatters(scene, solution)) return solution;
   } catch (const core::SolverError&) {
     // Then without the previous solution.
   }
@@ -138,7 +134,7 @@ std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, c
   try {
     std::optional<Solution> solution = find(now, {});
     while (solution && static_cast<int>(supplies.size()) < passes) {
-      if (!solution->converged && !only_chatters(*solution)) break;
+      if (!solution->converged && !only_chatters(scene, *solution)) break;
       now.supply = supply_of(now.grid, next_layer(scene.passes, left_behind(*solution), fresh));
       supplies.push_back(now.supply(0.0));
       if (static_cast<int>(supplies.size()) == passes) break;
@@ -180,7 +176,7 @@ Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolu
   if (const int last = rows.back().number; !solution.converged)
     solution.failed_check =
         "pass " + std::to_string(last) + " of " + std::to_string(number) + ": " + solution.failed_check;
-  if (solution.converged) judge_layers(supplies_on_half_the_cells(scene, number, find, go_on), rows);
+  if (solution.converged) judge_layers(scene, supplies_on_half_the_cells(scene, number, find, go_on), rows);
   solution.passes = std::move(rows);
   solution.tracks = std::move(tracks);
   return solution;

@@ -8,9 +8,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Largest share of the variance that may be lost on half as many cells. [bench: relief_lost]
-constexpr double most_lost = 0.05;
-
 double variance(const Scene& scene, const core::Grid& grid) {
   const core::Patch patch(grid);
   core::Field S(patch);
@@ -35,7 +32,7 @@ double relief_lost(const Scene& scene) {
 
 void leave_open_on_relief(const Scene& scene, ErrorBars& bars) {
   const double lost = relief_lost(scene);
-  if (!(lost > most_lost)) return;
+  if (!(lost > scene.tuning.relief_lost)) return;
   bars.relief_unresolved = lost;
   bars.P_max = ErrorBar::unknown;
   bars.P_max_converging = false;

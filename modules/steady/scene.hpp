@@ -6,16 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "contact/ellipse.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "film/model.hpp"
 #include "kernel/kernel.hpp"
 #include "mlmi/deformation.hpp"
 #include "multigrid/parameters.hpp"
+#include "newton/tuning.hpp"
 #include "reynolds/wedge.hpp"
 #include "rheology/laws.hpp"
 #include "rheology/shear.hpp"
+#include "steady/scales.hpp"
+#include "steady/tuning.hpp"
 
 namespace ehl::steady {
 
@@ -73,10 +75,9 @@ struct Coatings {
 };
 
 struct Scene {
-  double M = 0.0;       ///< Moes' load parameter: for starting values, and for the loads of a continuation
-  double L = 0.0;       ///< Moes' material parameter: for the same purposes
+  /// Load, oil and shape of the contact, and the film and sizes that follow; made by scales_of().
+  ContactScales contact;
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
-  contact::Ellipse shape;
   Coatings coatings{};
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
@@ -102,6 +103,8 @@ struct Scene {
   reynolds::Face face = reynolds::Face::mean;
   mlmi::Parameters deformation;
   multigrid::Parameters solver;
+  newton::Tuning newton;
+  Tuning tuning;
   ContinuationParameters continuation;
   Polish polish = Polish::fallback;
   /// Adjoint error estimates of Hc and Hm, with the third-order wedge; else from the grid sequence alone.

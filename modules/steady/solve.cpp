@@ -24,9 +24,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Rough bound on the error of the domain above which two coarse solutions are made to estimate it.
-constexpr double worth_a_look = 0.01;
-
 /// The name of a strategy for readers, and its code for scripts and plots.
 struct Strategy {
   std::string method, path;
@@ -84,9 +81,6 @@ class Search {
   std::string last_error_;
 };
 
-/// Residual below which a stall is due to rounding and not to chattering nodes. [bench: stalled_residual]
-constexpr double stalled_residual = 1e-7;
-
 double nodes_of(const Scene& scene) { return static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y(); }
 
 Strategy newton_after_cycles() { return {"Newton-Krylov after the cycles", "newton-after-cycles"}; }
@@ -115,13 +109,13 @@ void try_newton_from(const Solution& flooded, const Scene& scene, const Progress
 // continuation does. [bench: load_continuation_of_slender]
 bool oil_is_astray(const Scene& scene, const Search& search) {
   if (!scene.supply || scene.grid.line) return false;
-  return search.best() ? !search.best()->levels.back().solved() : elongated(scene.shape);
+  return search.best() ? !search.best()->levels.back().solved() : elongated(scene.tuning, scene.contact.shape);
 }
 
 // in: by_load, the load continuation, for a contact that needs it right after the first start.
 void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search, const Solution* flooded,
                         const std::function<void()>& by_load) {
-  const double slender = slenderness(scene.M, scene.L, scene.shape);
+  const double slender = scene.contact.slenderness;
   int number = 0;
   for (const Start& start : starts_of(scene)) {
     const bool first = ++number == 1;
@@ -134,7 +128,7 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
       strategy.path += "-" + std::to_string(number);
     }
     search.try_strategy(strategy, [&] { return solve_by_multigrid(scene, start, progress); });
-    const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
+    const bool stalls = search.best() && search.best()->levels.back().residual > scene.tuning.stalled_residual;
     if (!search.over() && first && scene.supply && stalls) try_newton_after_cycles(scene, progress, search);
     if (!search.over() && first && flooded != nullptr) try_newton_from(*flooded, scene, progress, search);
     if (!search.over() && first && oil_is_astray(scene, search)) by_load();
@@ -242,7 +236,7 @@ Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   Solution solution = scene.supply ? find_starved(scene, progress) : find(scene, progress);
   // With a supply a meniscus inside the domain ends the inlet.
-  if (!scene.supply && rough_domain_error(scene) > worth_a_look)
+  if (!scene.supply && rough_domain_error(scene) > scene.tuning.domain_worth_a_look)
     solution.domain_error_Hc = estimate_domain_error(scene);
   if (const std::string advice = advice_for_cutting_ends(scene, solution);
       !solution.converged && scene.one_start_only.empty() && !advice.empty())

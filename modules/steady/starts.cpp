@@ -27,7 +27,6 @@ constexpr Start start_of_line = {
 
 /// Heavily loaded line contacts with a steep edge: coarse grids do not resolve their film zones, so that the
 /// corrections are poor and more relaxations are needed. [bench: starts_of_heavy_lines]
-constexpr double steep_log_viscosity_of_line = 18.0;
 constexpr int most_relaxations = 4;
 constexpr Start start_of_heavy_line(int pre, int post) {
   Start start = start_of_line;
@@ -62,9 +61,9 @@ std::vector<Start> starts_of(const Scene& scene) {
   const auto usual = all.subspan(held ? 0 : start_of_heavy);
   std::vector<Start> list(usual.begin(), usual.end());
   if (!scene.grid.line) {
-    if (!contact::circular(scene.shape))
+    if (!contact::circular(scene.contact.shape))
       list.insert(list.begin() + 1, std::begin(starts_of_ellipses), std::end(starts_of_ellipses));
-  } else if (held || log_viscosity_at_edge(scene) < steep_log_viscosity_of_line) {
+  } else if (held || log_viscosity_at_edge(scene) < scene.tuning.steep_log_viscosity_of_line) {
     list.insert(list.begin(), start_of_line);
   } else {
     for (Start& start : list) start.pre = start.post = most_relaxations;

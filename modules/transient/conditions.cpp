@@ -7,9 +7,6 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double longest_of_all = 0.1;       // a surface needs at least 20 steps from -a to a
-constexpr double share_of_vibration = 0.05;  // 20 steps per period of free vibration, as for a wave (schedule.cpp)
-
 // Supply over that of the scene, at the surface speeds u1 and u2.
 double supply_at(const Supply& supply, double T, double u1, double u2) {
   const double factor = value(supply.factor, T);
@@ -67,10 +64,11 @@ bool jumps_at(const Conditions& conditions, double T, double end) {
 }
 
 double longest_step(const Conditions& conditions, double end) {
-  double step = std::min(longest_of_all, 0.01 * end);
+  double step = std::min(conditions.tuning.longest_step, 0.01 * end);
   for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2, &conditions.supply.factor})
     step = std::min(step, resolving_step(*schedule));
   if (conditions.body) {
+    const double share_of_vibration = conditions.tuning.share_of_vibration;
     const Body& body = *conditions.body;
     step = std::min(step, share_of_vibration * 2.0 * std::numbers::pi / natural_frequency(body));
     if (body.gap && body.velocity < 0.0) step = std::min(step, share_of_vibration * *body.gap / -body.velocity);

@@ -7,6 +7,7 @@
 #include "surface/relief.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/schedule.hpp"
+#include "transient/tuning.hpp"
 
 namespace ehl::transient {
 
@@ -31,6 +32,7 @@ struct Conditions {
   Supply supply{};
   /// Q of cavitated nodes is an unknown even with a flooded inlet. If the scene has a supply, Q always is.
   bool conserves_mass = false;
+  Tuning tuning{};
 };
 
 /// Load, entrainment speed and supply factor at T.

@@ -13,25 +13,6 @@
 #include "transient/nodes.hpp"
 
 namespace ehl::transient {
-namespace {
-
-/// Nodes within this many Hertz radii (or semi-axes) of the centre make up the error norm. Nodes outside get a tenth of
-/// the weight: with equal weights the mean would hide the error at a dimple.
-constexpr double zone_radius = 1.5;
-constexpr double weight_outside = 0.1;
-/// Additional factor on the weight of cavitated nodes and their neighbours, where mass is conserved.
-constexpr double weight_at_edge = 0.01;
-/// Lower bound of the central deformation used in balance_load(): bodies that are almost separated hardly deform.
-constexpr double least_yielding = 0.05;
-
-bool in_zone(const core::QuadraticForm& outline, const core::Patch& grid, int i, int j) {
-  const double X = grid.X(i);
-  const double Y = grid.Y(j);
-  return outline.at(X, Y) <= zone_radius * zone_radius;
-}
-
-}  // namespace
-
 void prepare(multigrid::Hierarchy& hierarchy) {
   multigrid::Level& level = hierarchy.finest();
   level.f = core::Field(level.grid);
@@ -46,18 +27,26 @@ ContactDae::ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, co
              static_cast<std::size_t>(hierarchy.finest().grid.nodes_y())),
       W_(*hierarchy.problem.load),
       V_(course.body ? course.body->velocity : 0.0),
+      rate_(control.tuning.best_first_rate),
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
       rho_(nodes_) {
   const core::Patch& grid = hierarchy.finest().grid;
-  const core::QuadraticForm& outline = hierarchy.problem.geometry.outline;
-  for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
+  for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
   multigrid::update_residual(hierarchy, hierarchy.finest());
   // For a line contact the outflow equals the inflow and is the safer measure: if more oil is supplied than passes, the
   // steady film is the flooded one, and the thin supplied layer leaves the domain through the inlet.
   const reynolds::OilBalance flow = multigrid::oil_of(hierarchy, hierarchy.finest());
   inlet_ = grid.domain.line ? flow.out : flow.in;
+}
+
+// The nodes near the contact, which make up the error norm: with equal weights outside the mean would hide the error at
+// a dimple.
+bool ContactDae::in_zone(int i, int j) const {
+  const core::Patch& grid = hierarchy_.levels.back().grid;
+  const double radius = control_.tuning.zone_radius;
+  return hierarchy_.problem.geometry.outline.at(grid.X(i), grid.Y(j)) <= radius * radius;
 }
 
 void ContactDae::state(std::span<double> y) const {
@@ -141,7 +130,8 @@ void ContactDae::balance_load() {
   double yielding = deformation(centre, axis);
   const double slope = hierarchy_.load_line.slope + hierarchy_.outside_line.slope;
   if (course_.body || slope > 0.0) {
-    if (course_.body) yielding = std::max(yielding, least_yielding);
+    // Bodies that are almost separated hardly deform.
+    if (course_.body) yielding = std::max(yielding, control_.tuning.least_yielding);
     const double carried_now = multigrid::carried_load(level);
     share = (multigrid::wanted_load(hierarchy_, level) - carried_now) / (carried_now + slope * yielding);
   } else {
@@ -167,14 +157,13 @@ double ContactDae::least_film(std::span<const double> y) {
 
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Patch& grid = hierarchy_.levels.back().grid;
-  const core::QuadraticForm& outline = hierarchy_.problem.geometry.outline;
   // IDA takes the mean over all unknowns. This factor turns it into a mean over the zone of the whole domain, also
   // where the grid covers only half of it, so both grids give the same time steps.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
   constexpr double not_tested = 1e-30;  // for unknowns that follow from the others; IDA requires weights above zero
   for_nodes(grid, [&](int i, int j, std::size_t k) {
-    const double of_place = in_zone(outline, grid, i, j) ? inside : weight_outside * inside;
-    const double of_node = at_edge(y, i, j) ? weight_at_edge * of_place : of_place;
+    const double of_place = in_zone(i, j) ? inside : control_.tuning.weight_outside * inside;
+    const double of_node = at_edge(y, i, j) ? control_.tuning.weight_at_edge * of_place : of_place;
     const double factor = std::max(not_tested, std::sqrt(grid.lines(j)) * of_node);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
     w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);

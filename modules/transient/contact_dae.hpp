@@ -10,6 +10,7 @@
 #include "newton/steps.hpp"
 #include "transient/body.hpp"
 #include "transient/ida.hpp"
+#include "transient/tuning.hpp"
 
 namespace ehl::transient {
 
@@ -36,6 +37,8 @@ struct ErrorControl {
   double P_scale = 0.1;  ///< absolute tolerance below this pressure: rtol P_scale
   double Q_scale = 0.1;  ///< the same for the film; about the central film
   int most_cycles = 30;  ///< per implicit step, before the time step is cut
+  Tuning tuning{};
+  newton::Tuning newton{};
 };
 
 /// Balance of the forces on the film at one time.
@@ -102,6 +105,7 @@ class ContactDae {
   /// Factor on all under-relaxation factors of the cycles, at the start and in time.
   double weight() const { return weight_; }
   void set_weight(double weight) { weight_ = weight; }
+  const Tuning& tuning() const { return control_.tuning; }
 
   /// Makes the carried load exact: scales P by a common factor and shifts H00 so that the central film stays the same.
   void balance_load();
@@ -129,6 +133,7 @@ class ContactDae {
   void move_body(const Stage& stage);
   void take_velocity(const Stage& stage, const Drive& drive);
   double content(int i, int j) const;
+  bool in_zone(int i, int j) const;
   bool at_edge(std::span<const double> y, int i, int j) const;
   void set_content(std::span<const double> y);
   bool correct_mass();
@@ -144,7 +149,7 @@ class ContactDae {
   double V_ = 0.0;     ///< velocity of the body
   double zone_ = 0.0;  ///< weighted number of nodes in the error norm, on the whole domain
   double weight_ = 1.0;
-  double rate_ = 0.3;  ///< convergence factor of the cycles, as last measured
+  double rate_;  ///< convergence factor of the cycles, as last measured
   std::unique_ptr<newton::Steps> newton_;
   int newton_stages_ = 0;      ///< implicit steps that Newton's method still solves, the cycles having failed
   int newton_next_ = 1;        ///< number of such steps after the next failure

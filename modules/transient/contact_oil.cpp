@@ -20,12 +20,11 @@ double ContactDae::content(int i, int j) const {
 bool ContactDae::at_edge(std::span<const double> y, int i, int j) const {
   if (!conserves_mass()) return false;
   const core::Patch& grid = hierarchy_.levels.back().grid;
-  constexpr int near = 2;
   const auto dry = [&](int k, int l) {
     const bool inside = k > 0 && k < grid.nx && l > 0 && l <= grid.last_line();
     return inside && y[static_cast<std::size_t>(k * grid.nodes_y() + l)] <= 0.0;
   };
-  for (int d = 0; d <= near; ++d)
+  for (int d = 0; d <= control_.tuning.edge_reach; ++d)
     if (dry(i - d, j) || dry(i + d, j) || dry(i, j - d) || dry(i, j + d)) return true;
   return false;
 }

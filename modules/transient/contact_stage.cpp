@@ -13,29 +13,6 @@
 #include "transient/nodes.hpp"
 
 namespace ehl::transient {
-namespace {
-
-/// Lower bounds of the convergence factor that enters the stopping criterion: for the first cycle and for later ones.
-/// [bench: transient_convergence_factor]
-constexpr double best_first_rate = 0.3;
-constexpr double best_rate = 0.1;
-/// Number of consecutive cycles with a factor above worst_rate after which the iteration stops. Single cycles may fail
-/// while nodes cavitate or refill. [bench: transient_patience]
-constexpr double worst_rate = 0.95;
-constexpr int patience = 3;
-/// For a squeeze coefficient c above this, the load is corrected after the last cycle only: the common factor changes
-/// the film, times c, by more than a cycle reduces. Line contacts are always treated so, because their H00 would
-/// oscillate. [bench: transient_strong_squeeze]
-constexpr double strong_squeeze = 1e4;
-/// This limit for Newton steps: while the pressure's edge moves by one node per step, no step reduces the change.
-/// [bench: transient_patience_of_newton]
-constexpr int patience_of_newton = 10;
-/// Newton's method solves a number of implicit steps before cycles are tried again. The number doubles with each
-/// failure of the cycles, up to this bound.
-constexpr int most_by_newton = 32;
-
-}  // namespace
-
 // Norm of the last change, in IDA's weights.
 double ContactDae::change(const Stage& stage, double H00_before) {
   const multigrid::Level& level = hierarchy_.finest();
@@ -87,14 +64,20 @@ bool ContactDae::newton_can() const {
   return level.grid.domain.line && !conserves_mass() && level.load > 0.0;
 }
 
+// With a strong squeeze the load is corrected after the last cycle only: the common factor changes the film, times cj,
+// by more than a cycle reduces. Line contacts are always treated so, because their H00 would oscillate.
 bool ContactDae::balanced_by_cycle(const Stage& stage) const {
-  return !hierarchy_.levels.back().grid.domain.line && stage.cj < strong_squeeze;
+  return !hierarchy_.levels.back().grid.domain.line && stage.cj < control_.tuning.strong_squeeze;
 }
 
 // measured: convergence factor; in: assumed for the first iteration, out: as last measured.
 StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& measured) {
   multigrid::Level& level = hierarchy_.finest();
   StageResult result{.solved = false};
+  const Tuning& tuning = control_.tuning;
+  // Single cycles may fail while nodes cavitate or refill. While the pressure's edge moves by one node per step, no
+  // Newton step reduces the change.
+  const int patience = kind == Iteration::cycles ? tuning.patience : tuning.patience_of_newton;
   int& taken = kind == Iteration::cycles ? result.cycles : result.newton_steps;
   const bool balanced = kind == Iteration::cycles && balanced_by_cycle(stage);
   double last = std::numeric_limits<double>::quiet_NaN();
@@ -115,10 +98,10 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
     if (conserves_mass()) multigrid::update_residual(hierarchy_, level);
     const double now = change(stage, H00_before);
     if (!std::isfinite(now)) return result;
-    if (taken > 1) measured = std::max(best_rate, now / last);
-    in_vain = now > worst_rate * least ? in_vain + 1 : 0;
-    if (in_vain >= (kind == Iteration::cycles ? patience : patience_of_newton) && now > stage.tolerance) return result;
-    const double rate = std::clamp(measured, taken == 1 ? best_first_rate : best_rate, worst_rate);
+    if (taken > 1) measured = std::max(tuning.best_rate, now / last);
+    in_vain = now > tuning.worst_rate * least ? in_vain + 1 : 0;
+    if (in_vain >= patience && now > stage.tolerance) return result;
+    const double rate = std::clamp(measured, taken == 1 ? tuning.best_first_rate : tuning.best_rate, tuning.worst_rate);
     result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
     if (result.solved && !balanced) {
       const double H00_of_cycle = hierarchy_.H00;
@@ -157,12 +140,14 @@ StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span
   if (!result.solved && newton_can()) {
     if (newton_stages_ == 0) {
       begin(stage, drive);
-      newton_stages_ = std::exchange(newton_next_, std::min(most_by_newton, 2 * newton_next_));
+      // Newton's method solves a number of implicit steps before cycles are tried again. The number doubles with each
+      // failure of the cycles.
+      newton_stages_ = std::exchange(newton_next_, std::min(control_.tuning.most_by_newton, 2 * newton_next_));
     } else {
       --newton_stages_;
     }
-    if (!newton_) newton_ = std::make_unique<newton::Steps>(hierarchy_);
-    double rate = best_first_rate;
+    if (!newton_) newton_ = std::make_unique<newton::Steps>(hierarchy_, control_.newton);
+    double rate = control_.tuning.best_first_rate;
     const int cycles = result.cycles;
     result = iterate(stage, Iteration::newton, rate);
     result.cycles = cycles;

@@ -6,10 +6,6 @@
 namespace ehl::transient {
 namespace {
 
-/// First guess of the increments of load and speed; they are halved, down to this share, if the cycles do not converge.
-constexpr double largest_bit_of_load = 0.02;
-constexpr double largest_bit_of_speed = 0.1;
-constexpr double least_share_of_a_bit = 1.0 / 64.0;
 /// Tolerance of the step in IDA's weighted norm: IDA's own value for its nonlinear solver.
 constexpr double tolerance = 1.0 / 3.0;
 
@@ -34,9 +30,9 @@ bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step) {
   return true;
 }
 
-int bits_between(const Drive& from, const Drive& to) {
-  const double bits = std::max(std::abs(to.load / from.load - 1.0) / largest_bit_of_load,
-                               std::abs(to.speed - from.speed) / largest_bit_of_speed);
+int bits_between(const Tuning& tuning, const Drive& from, const Drive& to) {
+  const double bits = std::max(std::abs(to.load / from.load - 1.0) / tuning.bit_of_load,
+                               std::abs(to.speed - from.speed) / tuning.bit_of_speed);
   return std::max(1, static_cast<int>(std::ceil(bits)));
 }
 
@@ -48,8 +44,8 @@ Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
 }
 
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {
-  double bit = 1.0 / bits_between(from, to);
-  const double least_bit = least_share_of_a_bit * bit;
+  double bit = 1.0 / bits_between(dae.tuning(), from, to);
+  const double least_bit = dae.tuning().least_share_of_a_bit * bit;
   for (double share = 0.0; share < 1.0;) {
     const double next = share + bit > 1.0 - 0.5 * least_bit ? 1.0 : share + bit;
     if (solve_euler_step(dae, part_of_the_way(from, to, next), step))

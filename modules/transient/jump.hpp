@@ -27,7 +27,7 @@ inline StepReport report_of(const EulerStep& step) {
 bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step);
 
 /// Number of increments from one drive to another that are small enough for the cycles.
-int bits_between(const Drive& from, const Drive& to);
+int bits_between(const Tuning& tuning, const Drive& from, const Drive& to);
 
 /// Drive between two others; share from 0 to 1.
 Drive part_of_the_way(const Drive& from, const Drive& to, double share);

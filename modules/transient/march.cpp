@@ -21,27 +21,23 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double first_step = 1e-3;                  // at order one; IDA doubles it as its error test allows
-constexpr double shorter_behind_a_checkpoint = 0.1;  // first step after a checkpoint, over the last one before it
-/// Short steps after a jump of load or speed: within the first the pressure adapts and the film hardly moves, the
-/// others let fast disturbances decay, which IDA would follow with steps too short for the cycles.
-constexpr double micro_step = 1e-3;
-constexpr int micro_steps = 4;
 constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the last place
 
 /// One time integration.
 class March {
  public:
   March(multigrid::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
-        const Observer& observer, double of_unit, double line_unit)
+        const Observer& observer, const newton::Tuning& newton, double of_unit, double line_unit)
       : hierarchy_(hierarchy),
         of_unit_(of_unit),
         line_unit_(line_unit),
         conditions_(conditions),
+        tuning_(conditions.tuning),
         parameters_(parameters),
         observer_(observer),
         course_(course_of(conditions)),
-        dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = film_scale()}),
+        dae_(hierarchy_, course_,
+             {.rtol = parameters.rtol, .Q_scale = film_scale(), .tuning = conditions.tuning, .newton = newton}),
         between_(dae_.size()),
         rest_(parameters.stop_steady) {
     if (course_.surface)
@@ -81,7 +77,7 @@ class March {
       show_frame(0.0);
       if (on && starts_moving()) on = set_off(*std::ranges::upper_bound(stops, 0.0), start);
     }
-    const double shorter = from ? shorter_behind_a_checkpoint * from->step : first_step;
+    const double shorter = from ? tuning_.after_checkpoint * from->step : tuning_.first_step;
     Ida ida(problem_,
             {.first = std::min(shorter, 0.1 * report_.longest_step),
              .longest = report_.longest_step,
@@ -129,7 +125,7 @@ class March {
   bool cross(Ida& ida, double next_stop) {
     EulerStep step;
     step.y.assign(ida.y().begin(), ida.y().end());
-    if (!short_steps(step, drive(report_.T), micro_step, next_stop)) return false;
+    if (!short_steps(step, drive(report_.T), tuning_.micro_step, next_stop)) return false;
     ++report_.restarts;
     ida.restart(report_.T, step.y, step.yp, step.length);
     return true;
@@ -143,17 +139,20 @@ class March {
   bool set_off(double next_stop, Checkpoint& start) {
     EulerStep step;
     step.y = start.y;
-    if (!short_steps(step, drive(0.0), std::min(micro_step, 0.1 * report_.longest_step), next_stop)) return false;
+    if (!short_steps(step, drive(0.0), std::min(tuning_.micro_step, 0.1 * report_.longest_step), next_stop))
+      return false;
     start.T = report_.T;
     start.y = step.y;
     start.yp = step.yp;
     return true;
   }
 
-  // in: step.y, the state at report_.T, and the drive before. out: step, the last one.
+  // Within the first of these steps the pressure adapts and the film hardly moves; the others let fast disturbances
+  // decay, which IDA would follow with steps too short for the cycles. in: step.y, the state at report_.T, and the
+  // drive before. out: step, the last one.
   bool short_steps(EulerStep& step, Drive before, double length, double next_stop) {
     const double room = 0.5 * (next_stop - report_.T);
-    const int count = std::clamp(static_cast<int>(room / length), 2, micro_steps);
+    const int count = std::clamp(static_cast<int>(room / length), 2, std::max(2, tuning_.micro_steps));
     step.length = std::min(length, room / count);
     for (int k = 0; k < count; ++k) {
       step.old = step.y;
@@ -262,6 +261,7 @@ class March {
   double of_unit_;    ///< line contact: shift of H00 by the unit of length in the logarithm, per load
   double line_unit_;  ///< that unit of length
   const Conditions& conditions_;
+  const Tuning& tuning_;
   const MarchParameters& parameters_;
   const Observer& observer_;
   Course course_;
@@ -281,14 +281,14 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
   const double began = core::now();
   const steady::Scene own = scene_in_time(scene, conditions);
-  const double carried = steady::geometry_of(own).kernel.factor * contact::load(own.shape);
+  const double carried = steady::geometry_of(own).kernel.factor * contact::load(own.contact.shape);
   const double of_unit = carried * std::log(own.deformation.line_unit);
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);
   multigrid::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
   prepare(hierarchy);
-  March under_way(hierarchy, conditions, parameters, observer, of_unit, own.deformation.line_unit);
+  March under_way(hierarchy, conditions, parameters, observer, own.newton, of_unit, own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint belongs to another grid than that of the deck");
   MarchReport report = under_way.run(from);

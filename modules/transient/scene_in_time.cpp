@@ -3,22 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "steady/resolution.hpp"
-
 namespace ehl::transient {
-namespace {
-
-/// Length at which the logarithm of the line kernel is zero, in contact sizes. Within the pressurised zone, relaxation
-/// at constant film would predict a wrong change of H00. [bench: transient_unit_of_line]
-constexpr double unit_of_line = 4.0;
-
-/// Change of the film per change of P that Gauss-Seidel relaxation assumes for its neighbourhood, in H per P. The zone
-/// of such nodes has a fixed width, so the value must not scale with the cells. Next to the cavitated region there is
-/// no such zone and the value is zero. [bench: transient_far_squeeze_of_line]
-constexpr double far_squeeze_of_line = 0.2;
-
-}  // namespace
-
 steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& conditions) {
   steady::Scene scene = steady;
   scene.use_symmetry = steady.use_symmetry && symmetric(conditions);
@@ -28,10 +13,13 @@ steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& condi
   if (conditions.conserves_mass && !scene.supply)
     scene.supply = [](double) { return std::numeric_limits<double>::infinity(); };
   if (scene.grid.line) {
-    scene.deformation.line_unit = unit_of_line * std::max(1.0, steady::contact_size(scene.M, scene.L, scene.shape));
+    // Within the pressurised zone, relaxation at constant film would predict a wrong change of H00.
+    scene.deformation.line_unit = conditions.tuning.unit_of_line * std::max(1.0, scene.contact.size);
     multigrid::RelaxationParameters& relaxation = scene.solver.relaxation;
+    // The zone of single points has a fixed width, so the value must not scale with the cells. Next to the cavitated
+    // region there is no such zone and the value is zero.
     relaxation.far_squeeze = relaxation.far_squeeze_beside = 0.0;
-    relaxation.far_squeeze_of_zone = far_squeeze_of_line;
+    relaxation.far_squeeze_of_zone = conditions.tuning.far_squeeze_of_line;
   }
   return scene;
 }

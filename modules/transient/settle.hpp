@@ -6,9 +6,6 @@
 
 namespace ehl::transient {
 
-/// A state with a smaller relative residual counts as steady.
-inline constexpr double settled_residual = 1e-9;
-
 /// Takes the finest level from the steady solution of the scene to the steady state at T = 0, with its load, speed and
 /// surfaces: by increments, to rounding, with exact load.
 /// in: start, the drive at T = 0.

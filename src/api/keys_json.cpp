@@ -25,21 +25,24 @@ Json needed(const deck::Key& key) {
 
 std::string keys_json(const deck::Catalogue& catalogue) {
   Json all{{"sections", Json::array()}, {"keys", Json::array()}};
+  const auto listed = [&](const std::string& section) { return !deck::find_section(catalogue, section)->on_request; };
   for (const deck::Section& one : catalogue.sections)
-    all["sections"].push_back({{"name", one.name}, {"meaning", one.meaning}, {"effect", one.effect}});
+    if (listed(one.name))
+      all["sections"].push_back({{"name", one.name}, {"meaning", one.meaning}, {"effect", one.effect}});
   for (const deck::Key& one : catalogue.keys)
-    all["keys"].push_back({{"section", one.section},
-                           {"name", one.name},
-                           {"type", name_of(one.type)},
-                           {"unit", one.unit},
-                           {"default", one.default_text},
-                           {"default_note", one.default_note},
-                           {"allowed", deck::allowed(one)},
-                           {"words", one.words},
-                           {"needs", needed(one)},
-                           {"meaning", one.meaning},
-                           {"source", one.source},
-                           {"example", one.example}});
+    if (listed(one.section))
+      all["keys"].push_back({{"section", one.section},
+                             {"name", one.name},
+                             {"type", name_of(one.type)},
+                             {"unit", one.unit},
+                             {"default", one.default_text},
+                             {"default_note", one.default_note},
+                             {"allowed", deck::allowed(one)},
+                             {"words", one.words},
+                             {"needs", needed(one)},
+                             {"meaning", one.meaning},
+                             {"source", one.source},
+                             {"example", one.example}});
   return line_of(all);
 }
 

@@ -1,6 +1,7 @@
 #include "case/catalogue.hpp"
 
 #include "case/effects.hpp"
+#include "case/tuning_input.hpp"
 #include "case/unavailable.hpp"
 #include "contact/keys.hpp"
 #include "dry/keys.hpp"
@@ -35,10 +36,12 @@ deck::Catalogue collected() {
       {"multigrid", "Parameters of the full multigrid solution. The defaults need no tuning."},
       {"continuation", "Load continuation: a high load is reached from lower ones if needed."},
       {"dry", "Solution of a contact without lubricant. Used only with [case] kind = dry."},
+      tuning_section(),
       {"output", "The result file and what it contains."},
   };
-  all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
-                             reynolds::keys(), mlmi::keys(), multigrid::keys(), dry::keys(), machines::keys()});
+  all.keys =
+      deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
+                      reynolds::keys(), mlmi::keys(), multigrid::keys(), dry::keys(), machines::keys(), tuning_keys()});
   for (const Effect& effect : effects()) {
     all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;

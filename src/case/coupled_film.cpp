@@ -12,7 +12,7 @@ std::optional<HeatResult> solve_coupled(const Case& input, const thermal::Setup&
                                         const steady::ProgressCallback& progress, steady::Solution& film) {
   const Physics& physics = input.physics;
   const double eta0 = physics.si ? physics.si->contact.eta0 : core::unknown;
-  heat::Coupled found = heat::solve_coupled({input.scene, setup, physics.p_h, eta0}, progress);
+  heat::Coupled found = heat::solve_coupled({input.scene, setup, input.tuning.heat, physics.p_h, eta0}, progress);
   film = std::move(found.film);
   if (!found.heat) return std::nullopt;
   HeatResult result{.found = std::move(*found.heat)};

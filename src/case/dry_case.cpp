@@ -29,6 +29,7 @@ const std::vector<Meaningless> of_a_film = {
     {"discretization", {}},
     {"multigrid", {}},
     {"continuation", {}},
+    {"tuning", {}},
     {"transient", {}},
     {"body", {}},
     {"shear", {}},

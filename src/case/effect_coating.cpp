@@ -37,7 +37,7 @@ void enter(Case& input) {
   coatings.stiffness = si.contact.E_prime / si.E_prime_uncoated;
   for (kernel::Coating coating : si.coatings) {
     coating.thickness /= si.hertz.a;
-    coatings.parts.emplace_back(coating, contact::line(input.scene.shape));
+    coatings.parts.emplace_back(coating, contact::line(input.scene.contact.shape));
   }
 }
 

@@ -8,7 +8,6 @@
 #include "case/effects.hpp"
 #include "case/surface_input.hpp"
 #include "deck/text.hpp"
-#include "steady/resolution.hpp"
 #include "surface/keys.hpp"
 
 namespace ehl::program {
@@ -19,8 +18,7 @@ namespace {
 std::string over_film(const CarriedSurface& surface, const steady::Scene& scene) {
   const auto* feature = std::get_if<surface::Feature>(&surface.relief);
   const double height = feature ? feature->height : surface.map->rms;
-  return fmt::format(", {} {:.2g} of the smooth film", feature ? "height" : "rms",
-                     height / steady::expected_central_film(scene.M, scene.L, scene.shape));
+  return fmt::format(", {} {:.2g} of the smooth film", feature ? "height" : "rms", height / scene.contact.film);
 }
 
 std::string what(const Case& input) {

@@ -84,7 +84,7 @@ core::Grid predicted_grid(const steady::Scene& scene) {
     const double size = std::sqrt(steady::rough_domain_error(scene) / allowed);
     if (size > 1.0) grid = steady::on_larger_domain(grid, size, steady::sides_of(scene));
   }
-  const double zone = steady::film_zone(scene.M, scene.L, scene.shape);
+  const double zone = scene.contact.film_zone;
   const auto error = [&] {
     const double h = grid.hx() / zone;
     // as in resolving_step()

@@ -178,7 +178,13 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   steady::Scene& scene = result.scene;
   scene.deformation = mlmi::read(deck);
   scene.solver = multigrid::read(deck);
+  result.tuning = read_tuning(deck);
+  scene.solver.tuning = result.tuning.multigrid;
+  scene.solver.judgement = result.tuning.judgement;
+  scene.newton = result.tuning.newton;
+  scene.tuning = result.tuning.steady;
   const contact::Groups& groups = result.physics.groups;
+  scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
   settle_boundary_of_supply(deck);
   if (contact::roller(groups.shape)) {
     settle_roller(deck);
@@ -190,15 +196,16 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
-    scene.far_field =
-        steady::read_far_field(deck, groups.shape, steepest_load(deck, result.physics), deck::called_for(deck, "body"));
-    steady::choose_grid(deck, groups, scene.wedge, result.roller ? roller::bearing(*result.roller).widest : 1.0);
+    scene.far_field = steady::read_far_field(deck, scene.tuning, groups.shape, steepest_load(deck, result.physics),
+                                             deck::called_for(deck, "body"));
+    steady::choose_grid(deck, scene.tuning, scene.contact, scene.wedge,
+                        result.roller ? roller::bearing(*result.roller).widest : 1.0);
   }
   const bool contact_known = result.dry || groups.M > 0.0;
   if (contact_known) steady::check_contains(deck, groups.shape);
   std::optional<double> size;
-  if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
-  const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(groups.shape),
+  if (contact_known) size = result.dry ? 1.0 : scene.contact.size;
+  const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(scene.tuning, groups.shape),
                                                    contact::line(groups.shape) && !contact::roller(groups.shape));
   scene.grid = grid.finest;
   scene.solver.coarsest_cells = grid.coarsest;
@@ -206,10 +213,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.continuation = steady::read_continuation(deck, groups.M, newton_of(result.physics));
   scene.polish = steady::read_polish(deck);
   scene.threads = threads;
-  scene.M = groups.M;
-  scene.L = groups.L;
   scene.lambda = groups.lambda;
-  scene.shape = groups.shape;
   scene.viscosity = result.physics.viscosity;
   scene.density = result.physics.density;
   const Motion motion = result.dry                             ? Motion::dry
@@ -218,13 +222,13 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   read_names(path, result);
   read_errors(result, motion == Motion::steady);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
-  result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
+  result.transient = transient_input(deck, result.tuning.transient, result.physics, result.surfaces, scene.grid);
   read_effects(result);
   if (contact::roller(groups.shape)) refuse_beyond_roller(deck);
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);
-    if (!result.dry && scene.M > 0.0) check_domain(deck, scene);
+    if (!result.dry && scene.contact.M > 0.0) check_domain(deck, scene);
     check_memory(result);
     bound_accuracy(result);
   }

@@ -7,6 +7,7 @@
 #include "case/physical_input.hpp"
 #include "case/thermal_input.hpp"
 #include "case/transient_input.hpp"
+#include "case/tuning_input.hpp"
 #include "deck/file.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/roller/profile.hpp"
@@ -20,6 +21,7 @@ struct Case {
   std::string title{};
   deck::Deck deck{};  ///< including all values that were chosen
   Physics physics{};
+  TunedNumbers tuning{};
   steady::Scene scene{};
   SurfaceInput surfaces{};                      ///< the surfaces, moving or at rest
   std::optional<transient::Input> transient{};  ///< nothing: the case is steady

@@ -60,7 +60,7 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
                       fmt::format("lies outside the domain, which ends at {:g} Hertz radii; the gap there is known "
                                   "only with far_field = closed. {}",
                                   scene.grid.X_a,
-                                  contact::roller(scene.shape) ? "Move [domain] x_inlet further out"
+                                  contact::roller(scene.contact.shape) ? "Move [domain] x_inlet further out"
                                                                : "Set [domain] far_field = closed, or leave it out"));
   else if (!(distance > 1.0))
     friction.complain(given[0], "must lie outside the contact, more than a Hertz radius from its centre");
@@ -106,7 +106,7 @@ friction::Parameters friction_of_contact(const Physics& physics, const steady::S
   friction::Parameters parameters{
       .stress = stress_of_sliding(physics), .slope = physics.a_over_R, .cavitated = friction::Cavitated::none};
   if (friction::oil_outside(scene) && !scene.grid.line)
-    parameters.meniscus = 1.0 / (2.0 * contact::gap(scene.shape).XX * physics.a_over_R);
+    parameters.meniscus = 1.0 / (2.0 * contact::gap(scene.contact.shape).XX * physics.a_over_R);
   return parameters;
 }
 

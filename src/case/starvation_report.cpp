@@ -27,7 +27,7 @@ class PassFormulas {
   PassFormulas(const steady::Scene& scene, const Pass& first)
       : holds_(scene.passes.returning == 1.0 && scene.passes.renewed == 0.0 && scene.passes.levelled == 0.0),
         first_(first),
-        lost_(starvation::lost_by_pass(scene.shape, scene.lambda, scene.viscosity, scene.density)) {}
+        lost_(starvation::lost_by_pass(scene.contact.shape, scene.lambda, scene.viscosity, scene.density)) {}
 
   /// The oil content Q on y = 0 after a pass, by van Zoelen's formula.
   double thin_layer(const Pass& pass) const {
@@ -99,7 +99,7 @@ std::string line_of_oil(const Case& input, const Starvation& found) {
 }  // namespace
 
 double factor_by_meniscus(const Case& input, const Starvation& found) {
-  return !input.scene.grid.line && contact::circular(input.scene.shape)
+  return !input.scene.grid.line && contact::circular(input.scene.contact.shape)
              ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
              : unknown;
 }
@@ -175,7 +175,7 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
                       starvation::by_supply(found.supply_ratio, usual_gamma), usual_gamma);
   const double gamma = starvation::gamma_of(found.supply_ratio, found.factor);
   text += std::isfinite(gamma) ? fmt::format("; here {:.2f})", gamma) : ")";
-  if (contact::circular(input.scene.shape))
+  if (contact::circular(input.scene.contact.shape))
     text +=
         fmt::format(", {:.4f} by the meniscus (Hamrock, Dowson 1977; flooded from x = {} on)",
                     factor_by_meniscus(input, found), length_text(input, -starvation::flooded_inlet(found.Hc_flooded)));

@@ -12,7 +12,7 @@
 #include "core/norms.hpp"
 #include "deck/file.hpp"
 #include "deck/text.hpp"
-#include "steady/resolution.hpp"
+#include "steady/scales.hpp"
 #include "surface/gaussian_filter.hpp"
 #include "surface/keys.hpp"
 
@@ -217,9 +217,7 @@ std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& 
   surface::Input input = surface::read(part.deck, part.section, units);
   if (input.shape.empty()) return std::nullopt;
   if (motion != Motion::dry) check_at_rest(part, physics, timed);
-  const double expected = physics.groups.M > 0.0
-                              ? steady::expected_central_film(physics.groups.M, physics.groups.L, physics.groups.shape)
-                              : std::numeric_limits<double>::quiet_NaN();
+  const double expected = steady::scales_of(physics.groups.M, physics.groups.L, physics.groups.shape).film;
   std::optional<CarriedSurface> surface =
       input.map ? map_of(part, input, grid, timed, expected, units) : feature_of(part, input, grid, timed);
   if (!timed && surface && part.deck.errors.empty()) check_influence(part, surface->relief, grid);

@@ -28,12 +28,13 @@ double steepest_load(const deck::Deck& deck, const Physics& physics) {
   return deck::called_for(deck, "transient") ? transient::steepest_load(deck, scales_of(physics)) : 0.0;
 }
 
-std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
+std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
+                                                const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid) {
   if (!deck::called_for(deck, "transient")) return std::nullopt;
   if (deck::given(deck, "grid", "accuracy"))
     deck::complain(deck, "grid", "accuracy", "is available for steady contacts only: give cells for a contact in time");
-  transient::Conditions carried;
+  transient::Conditions carried{.tuning = tuning};
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
   return transient::read(deck, scales_of(physics), carried, grid);

@@ -12,7 +12,8 @@ namespace ehl::program {
 
 /// Nothing if the deck has no [transient]. Errors are added to the deck. in: the physics of the case, its surfaces, its
 /// finest grid. errors: core::FileError if a .csv file that the deck names cannot be read.
-std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
+std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
+                                                const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid);
 
 /// The steepest slope of the deck's load in time, in units of u_m/a; 0 if the load is constant.

@@ -81,8 +81,9 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
                      line({id::P_max, id::p_max, GPa}, &StepRow::P_max);
   if (input.transient->conditions.body) {
     const double load = input.physics.si ? input.physics.si->contact.load : 1.0;
-    text += line({"velocity", "velocity", si_unit("a u_m/R", scales)}, &StepRow::velocity) +
-            line({"carried", "carried", {contact::line(input.scene.shape) ? "N/m" : "N", load}}, &StepRow::carried);
+    text +=
+        line({"velocity", "velocity", si_unit("a u_m/R", scales)}, &StepRow::velocity) +
+        line({"carried", "carried", {contact::line(input.scene.contact.shape) ? "N/m" : "N", load}}, &StepRow::carried);
   }
   const std::vector<transient::Place>& places = input.transient->parameters.probes;
   for (std::size_t k = 0; k < places.size(); ++k) {

@@ -22,7 +22,9 @@ namespace {
 const Option set{"set", "section.key=value", "replaces or adds a key of the deck", true};
 const Option unset{"unset", "section.key", "removes a key from the deck", true};
 const Option threads{"threads", "N", "number of threads (default: the cores available to this process)"};
-const Option profile{"profile", "", "adds the time that each part of the solution took"};
+const Option profile{
+    "profile", "",
+    "adds the time that each part of the solution took, and the tuned numbers that differ from their defaults"};
 const Option as_json{"json", "", "writes one JSON object to stdout and nothing else"};
 const Option quiet{"quiet", "", "shows no progress"};
 

@@ -23,7 +23,7 @@ std::string in_unit_of_deck(const Case& input, double T) {
 void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& warnings) {
   const auto* feature = std::get_if<surface::Feature>(&one.relief);
   if (feature && feature->angle != 0.0) return;  // an oblique feature reaches the contact at some Y
-  const double inlet = -contact::extent(input.scene.shape).X;
+  const double inlet = -contact::extent(input.scene.contact.shape).X;
   const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one.relief).length_x();
   const Travel travel = travel_of(one, *input.transient);
   if (std::max(travel.from, travel.to) + ahead >= inlet) return;

@@ -112,6 +112,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.roughness = roughness_of(input, outcome.formulas, outcome.Hm.value);
   if (std::optional<core::Warning> warning = roughness_warning(input, outcome.roughness))
     outcome.warnings.push_back(*warning);
+  if (std::optional<core::Warning> warning = tuning_warning(input.tuning)) outcome.warnings.push_back(*warning);
   for (core::Warning& warning : hardly_meant(input)) outcome.warnings.push_back(std::move(warning));
   for (core::Warning& warning : hardly_a_film(outcome.hc, outcome.hm)) outcome.warnings.push_back(std::move(warning));
   for (core::Warning& warning : moving_surface_warnings(input)) outcome.warnings.push_back(std::move(warning));

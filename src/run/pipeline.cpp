@@ -92,6 +92,7 @@ std::string printed(const Case& input, const Computed& computed, bool profile) {
   for (const Effect& effect : effects_of(input))
     if (effect.summary) text += effect.summary(input, computed);
   text += effect_times(input, computed);
+  if (profile && !input.dry) text += tuning_lines(input.tuning);
   if (profile && computed.in_time)
     text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
   else if (profile && !input.dry)

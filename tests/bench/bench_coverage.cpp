@@ -130,7 +130,7 @@ void judge_contact(const test::Point& point, Result& result) {
     const test::Film truth = test::extrapolated(fine.levels[fine.levels.size() - 2], last);
     for (const int n : judged_cells) try {
         const steady::Scene one = plain(point, n);
-        if (one.grid.hx() > widest_step * steady::resolving_step(point.M, point.L, one.wedge, one.shape)) continue;
+        if (one.grid.hx() > widest_step * steady::resolving_step({}, one.contact, one.wedge)) continue;
         judge_run(point, n, truth, last.P_max, result);
       } catch (const std::exception& error) {
         result.without.push_back(name_of(point, n) + ": " + error.what());

@@ -81,9 +81,8 @@ void print_varying_epsilon() {
 
 void print_full_problem(Wedge wedge, Cycle cycle) {
   steady::Scene scene;
-  scene.M = 50.0;
-  scene.L = 10.0;
-  const contact::Groups groups = contact::from_moes(scene.M, scene.L);
+  scene.contact = steady::scales_of(50.0, 10.0);
+  const contact::Groups groups = contact::from_moes(scene.contact.M, scene.contact.L);
   const double alpha = 1.7e-8;
   const double p_h = groups.alpha_bar / alpha;
   scene.lambda = groups.lambda;

@@ -37,8 +37,7 @@ steady::Scene scene_of(const Contact& contact, int cells, int threads) {
   const contact::Groups groups = contact::from_moes(contact.M, contact.L);
   const double p_h = groups.alpha_bar / contact.alpha;
   steady::Scene scene;
-  scene.M = contact.M;
-  scene.L = contact.L;
+  scene.contact = steady::scales_of(contact.M, contact.L);
   scene.lambda = groups.lambda;
   scene.viscosity = rheology::make_roelands(contact.alpha, rheology::roelands_p0, contact.z, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);

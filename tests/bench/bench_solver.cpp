@@ -24,8 +24,7 @@ steady::Scene scene(double L, double alpha, int n, reynolds::Wedge wedge, int th
   const contact::Groups groups = contact::from_moes(50.0, L);
   const double p_h = groups.alpha_bar / alpha;
   steady::Scene result;
-  result.M = 50.0;
-  result.L = L;
+  result.contact = steady::scales_of(50.0, L);
   result.lambda = groups.lambda;
   result.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.6, p_h);
   result.density = rheology::make_dowson_higginson(p_h);

@@ -10,8 +10,7 @@ namespace ehl::test {
 inline steady::Scene scene_of(const reference::CircularContact& contact) {
   steady::Scene scene;
   const contact::Groups groups = contact::from_moes(contact.M, contact.L);
-  scene.M = contact.M;
-  scene.L = contact.L;
+  scene.contact = steady::scales_of(contact.M, contact.L);
   scene.lambda = groups.lambda;
   const double alpha = contact.fluid == reference::Fluid::roelands_z060 ? 1.7e-8 : 2.2e-8;
   const double p_h = groups.alpha_bar / alpha;

@@ -37,8 +37,7 @@ BOOST_AUTO_TEST_CASE(estimate_is_what_a_longer_and_wider_domain_gives) {
 BOOST_AUTO_TEST_CASE(light_loads_starve_for_another_reason) {
   for (const double M : {2.0, 5.0}) {
     steady::Scene scene;
-    scene.M = M;
-    scene.L = 0.0;
+    scene.contact = steady::scales_of(M, 0.0);
     scene.lambda = contact::from_moes(M, 0.0).lambda;
     scene.viscosity = rheology::Isoviscous{};
     scene.density = rheology::Incompressible{};

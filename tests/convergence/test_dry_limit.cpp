@@ -28,8 +28,7 @@ core::Field lubricated(double M, double L) {
   const contact::Groups groups = contact::from_moes(M, L);
   const double p_h = groups.alpha_bar / alpha;
   steady::Scene scene;
-  scene.M = M;
-  scene.L = L;
+  scene.contact = steady::scales_of(M, L);
   scene.lambda = groups.lambda;
   scene.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);

@@ -23,23 +23,21 @@ steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int ce
                        std::optional<double> far_field_error = {}) {
   steady::Scene scene;
   const contact::Groups groups = contact::from_moes(M, L, shape);
-  scene.M = M;
-  scene.L = L;
+  scene.contact = steady::scales_of(M, L, shape);
   scene.lambda = groups.lambda;
-  scene.shape = shape;
   const double p_h = groups.alpha_bar / 2.2e-8;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
-  const double X_b = steady::chosen_outlet(M, L, shape, far_field_error);
-  const double X_a = steady::chosen_inlet(M, L, X_b, shape, far_field_error);
-  const double Y_b = steady::chosen_half_width(X_a, X_b, shape, far_field_error.has_value());
+  const double X_b = steady::chosen_outlet({}, scene.contact, far_field_error);
+  const double X_a = steady::chosen_inlet({}, scene.contact, X_b, far_field_error);
+  const double Y_b = steady::chosen_half_width({}, X_a, X_b, shape, far_field_error.has_value());
   scene.far_field = far_field_error.has_value();
   scene.grid = {cells, static_cast<int>(std::lround(cells * 2.0 * Y_b / (X_b - X_a))), X_a, X_b, -Y_b, Y_b};
   return scene;
 }
 /// The scene with the default scheme and boundary of a deck.
 steady::Scene default_scene_of(double M, double L, const contact::Ellipse& shape, int cells) {
-  steady::Scene scene = scene_of(M, L, shape, cells, steady::error_of_closed_domain);
+  steady::Scene scene = scene_of(M, L, shape, cells, steady::Tuning{}.error_of_closed_domain);
   scene.wedge = reynolds::Wedge::upstream3;
   scene.face = reynolds::Face::logmean_bounded;
   return scene;
@@ -59,8 +57,8 @@ struct Film {
 Film film_of(const steady::Scene& scene) {
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
-  return {contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, scene.M, scene.shape),
-          contact::H_to_moes_units(solution.error_bars.Hm_extrapolated.value, scene.M, scene.shape)};
+  return {contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, scene.contact.M, scene.contact.shape),
+          contact::H_to_moes_units(solution.error_bars.Hm_extrapolated.value, scene.contact.M, scene.contact.shape)};
 }
 
 void check(const char* what, double computed, double expected, double tolerance) {
@@ -141,8 +139,8 @@ BOOST_AUTO_TEST_CASE(limit_of_a_line) {
 // error of the mesh of 256 cells.
 BOOST_AUTO_TEST_CASE(limit_of_a_line_on_long_cells) {
   const contact::Ellipse shape = contact::ellipse(0.005);
-  BOOST_TEST((steady::cell_aspect(shape) == 2.0 && steady::cell_aspect(contact::ellipse(0.05)) == 1.0));
-  BOOST_TEST(steady::cell_aspect(contact::ellipse(0.005, 45.0)) == 1.0);
+  BOOST_TEST((steady::cell_aspect({}, shape) == 2.0 && steady::cell_aspect({}, contact::ellipse(0.05)) == 1.0));
+  BOOST_TEST(steady::cell_aspect({}, contact::ellipse(0.005, 45.0)) == 1.0);
   const double lambda = 3.0 * pi * pi / (8.0 * 20.0 * 20.0), alpha_bar = 5.0 * std::sqrt(20.0 / (2.0 * pi));
   const double M =
       std::pow(128.0 * pi * pi * pi / 3.0, 0.25) * std::pow(lambda * std::pow(shape.a, 3) * shape.p_h, -0.75);
@@ -163,8 +161,8 @@ BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
   const auto film = [](double M, double L, double angle, double* expected) {
     const contact::Ellipse shape = contact::ellipse(0.005, angle);
     steady::Scene scene = default_scene_of(M, L, shape, angle == 0.0 ? 256 : 512);
-    scene.grid.ny = static_cast<int>(scene.grid.ny / steady::cell_aspect(shape)) / 64 * 64;
-    *expected = steady::expected_central_film(M, L, shape);
+    scene.grid.ny = static_cast<int>(scene.grid.ny / steady::cell_aspect({}, shape)) / 64 * 64;
+    *expected = steady::scales_of(M, L, shape).film;
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST(solution.converged, solution.failed_check);
     return solution.levels.back().Hc;
@@ -230,9 +228,9 @@ BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
 // only until they are square. The film is the same as on square cells with the same hy, within the error bars.
 BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
   const contact::Ellipse shape = contact::ellipse(20);
-  BOOST_TEST(steady::cell_aspect(shape) == 0.25);
+  BOOST_TEST(steady::cell_aspect({}, shape) == 0.25);
   for (const auto& square : {contact::ellipse(10), contact::ellipse(200, 5.0)})
-    BOOST_TEST(steady::cell_aspect(square) == 1.0);
+    BOOST_TEST(steady::cell_aspect({}, square) == 1.0);
   steady::Scene scene = stretched_scene_of(20, 5);
   const steady::Solution stretched = steady::solve(scene);
   scene.solver.tolerance = 1e-6;

@@ -23,7 +23,7 @@ enum class Oil { isoviscous, barus, roelands };
 steady::Scene line_scene(double M, double L, Oil oil, int cells, double X_a) {
   steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, X_a, -X_a / 3.0));
   if (oil == Oil::barus) {
-    scene.viscosity = rheology::Barus{contact::from_moes(M, L, scene.shape).alpha_bar};
+    scene.viscosity = rheology::Barus{contact::from_moes(M, L, scene.contact.shape).alpha_bar};
     scene.density = {};
   }
   scene.far_field = true;
@@ -39,8 +39,9 @@ Film film_of(const steady::Scene& scene) {
   BOOST_TEST(solution.converged, solution.failed_check);
   const steady::LevelRow& row = solution.levels.back();
   const int centre = static_cast<int>(std::lround(-scene.grid.X_a / scene.grid.hx()));
-  return {contact::H_to_moes_units(row.Hc, scene.M, scene.shape),
-          contact::H_to_moes_units(row.Hm_fitted, scene.M, scene.shape), solution.H00, solution.P(centre, 1)};
+  return {contact::H_to_moes_units(row.Hc, scene.contact.M, scene.contact.shape),
+          contact::H_to_moes_units(row.Hm_fitted, scene.contact.M, scene.contact.shape), solution.H00,
+          solution.P(centre, 1)};
 }
 
 struct Row {
@@ -119,8 +120,9 @@ double rolling_force(double M, double L, Oil oil, double X_a, int cells) {
   const core::Location highest = core::maximum(solution.P);
   double rho_bar = 1.0;
   rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
-  const core::QuadraticForm gap = contact::gap(scene.shape);
-  const double load = contact::load(scene.shape), deformation = contact::elastic_factor(scene.shape) * load;
+  const core::QuadraticForm gap = contact::gap(scene.contact.shape);
+  const double load = contact::load(scene.contact.shape),
+               deformation = contact::elastic_factor(scene.contact.shape) * load;
   const reynolds::FarField field({gap, scene.lambda, deformation, scene.viscosity, solution.grid});
   const friction::Outside outside{
       field, gap, deformation, {.H00 = solution.H00, .flow = rho_bar * solution.H(highest.i, highest.j)}};
@@ -134,7 +136,7 @@ double rolling_force(double M, double L, Oil oil, double X_a, int cells) {
                                                              .lambda = scene.lambda,
                                                              .outside = &outside},
                                                             {.slope = 1.0, .cavitated = friction::Cavitated::none});
-  return friction.rolling * contact::load(scene.shape);
+  return friction.rolling * contact::load(scene.contact.shape);
 }
 
 // Biboulet and Houpert (2010) fit T M^1.5 = 1.45 for M = 0.2 to 800, L = 4 to 16. T must not depend on the inlet of the

@@ -36,7 +36,8 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
     deformation.method = mlmi::Method::fft;
     multigrid::Hierarchy hierarchy = multigrid::make_hierarchy(problem, {}, deformation, scene.grid, 1);
     const std::size_t l = hierarchy.levels.size() - 1;
-    const double film = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
+    const double film = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.contact.M, scene.contact.L),
+                                                   scene.contact.M);
     multigrid::start_from_hertz(hierarchy, l, -1.0 + film, 0);
     const newton::Result result = newton::solve(hierarchy, l);
     const judgement::Measures state = multigrid::measures_of(hierarchy, l);

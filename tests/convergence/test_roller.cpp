@@ -20,10 +20,8 @@ constexpr double alpha = 2.2e-8;
 
 steady::Scene scene_of(double M, double L, int cells, const contact::Ellipse& shape) {
   steady::Scene scene;
-  scene.shape = shape;
+  scene.contact = steady::scales_of(M, L, shape);
   const contact::Groups groups = contact::from_moes(M, L, shape);
-  scene.M = M;
-  scene.L = L;
   scene.lambda = groups.lambda;
   const double p_h = groups.alpha_bar / alpha;
   scene.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h);

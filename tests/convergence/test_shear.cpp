@@ -21,7 +21,7 @@ steady::Scene scene_of(double M, double L, int n) {
 
 // The dimensionless stress eta_0 (u1 - u2) R/(a^2 tau_0) = lambda (a/R) srr/12 p_h/tau_0.
 rheology::ShearThinning eyring(const steady::Scene& scene, double srr, double tau_0) {
-  const double p_h = contact::from_moes(scene.M, scene.L).alpha_bar / 2.2e-8;
+  const double p_h = contact::from_moes(scene.contact.M, scene.contact.L).alpha_bar / 2.2e-8;
   return {rheology::Eyring{}, scene.lambda * a_over_R_of_p_h * p_h * srr / 12.0 * p_h / tau_0};
 }
 

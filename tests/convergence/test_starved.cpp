@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(a_full_inlet_gives_the_solution_of_the_other_model) {
     steady::Scene scene = scene_of(M, L, {64, 48, -4.5, 1.5, -2.25, 2.25}, 0.0, wedge);
     scene.solver.tolerance = 1e-14;  // the cycles end at rounding errors, some of which exceed this tolerance
     if (ratio != 1.0) {
-      scene.shape = contact::ellipse(ratio);
-      const contact::Groups groups = contact::from_moes(M, L, scene.shape);
+      scene.contact = steady::scales_of(scene.contact.M, scene.contact.L, contact::ellipse(ratio));
+      const contact::Groups groups = contact::from_moes(M, L, scene.contact.shape);
       scene.lambda = groups.lambda;
     }
     scene.face = face;

@@ -30,7 +30,7 @@ steady::Scene plain_scene(const contact::Ellipse& shape, const core::Grid& grid,
   steady::Scene scene = scene_of(20, 0, grid, H_oil);
   scene.viscosity = rheology::Isoviscous{};
   scene.density = rheology::Incompressible{};
-  scene.shape = shape;
+  scene.contact = steady::scales_of(scene.contact.M, scene.contact.L, shape);
   scene.lambda = contact::from_moes(20, 0, shape).lambda;
   return scene;
 }

@@ -29,7 +29,7 @@ inline ehl::steady::Scene scene(Load load, int n, ehl::reynolds::Wedge wedge = e
 
 inline std::string name(const ehl::steady::Scene& scene) {
   std::ostringstream text;
-  text << "(" << scene.M << "," << scene.L << ") "
+  text << "(" << scene.contact.M << "," << scene.contact.L << ") "
        << (scene.wedge == ehl::reynolds::Wedge::upstream1 ? "upstream1 " : "upstream2 ") << scene.grid.nx << " x "
        << scene.grid.ny;
   return text.str();

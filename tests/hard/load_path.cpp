@@ -24,7 +24,7 @@ constexpr double first_M = 20.0;
 steady::Scene heaviest(int n, Path path) {
   steady::Scene scene = hard::scene({5000, 10}, n);
   scene.continuation.path = path;
-  if (path == Path::load) scene.continuation.load_ratio = first_M / scene.M;
+  if (path == Path::load) scene.continuation.load_ratio = first_M / scene.contact.M;
   return scene;
 }
 
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
 BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
   steady::Scene scene = hard::scene({400, 10}, 128);
   scene.continuation.path = Path::load;
-  scene.continuation.load_ratio = first_M / scene.M;
+  scene.continuation.load_ratio = first_M / scene.contact.M;
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
   require_sensible(solution.continuation, 400.0);
@@ -105,10 +105,10 @@ BOOST_AUTO_TEST_CASE(the_film_at_the_side_lives_from_load_to_load) {
   scene.face = reynolds::Face::logmean_bounded;
   scene.far_field = true;
   scene.continuation.path = Path::load;
-  scene.continuation.load_ratio = first_M / scene.M;
+  scene.continuation.load_ratio = first_M / scene.contact.M;
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
-  require_sensible(solution.continuation, scene.M);
+  require_sensible(solution.continuation, scene.contact.M);
   BOOST_TEST_MESSAGE("R_x/R_y = 50, (20, 5) to (200, 5): " << solution.continuation.size() << " loads (at most 5)");
   BOOST_TEST(solution.continuation.size() <= 5U);
 }
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_is_not_cured_by_continuation) {
 BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
   for (const int n : {64, 128, 256}) {
     steady::Scene scene = hard::scene({5000, 1}, n);
-    scene.L = 0.0;
+    scene.contact = steady::scales_of(scene.contact.M, 0.0);
     scene.lambda = contact::from_moes(5000, 0).lambda;
     scene.viscosity = rheology::Isoviscous{};
     scene.density = rheology::Incompressible{};

@@ -37,10 +37,8 @@ inline steady::Scene scene_of(const Point& point, reynolds::Wedge wedge, int n, 
       contact::from_moes(point.M, point.L, contact::ellipse(point.radius_ratio, point.angle));
   const double p_h = groups.alpha_bar / point.alpha;
   steady::Scene scene;
-  scene.M = point.M;
-  scene.L = point.L;
+  scene.contact = steady::scales_of(point.M, point.L, groups.shape);
   scene.lambda = groups.lambda;
-  scene.shape = groups.shape;
   scene.viscosity = rheology::make_roelands(point.alpha, rheology::roelands_p0, point.z, p_h);
   if (point.oil == Oil::barus) scene.viscosity = rheology::make_barus(point.alpha, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
@@ -49,10 +47,10 @@ inline steady::Scene scene_of(const Point& point, reynolds::Wedge wedge, int n, 
   scene.far_field = far_field;
   scene.face = reynolds::third_order(wedge) ? reynolds::Face::logmean_bounded : reynolds::Face::mean;
   const std::optional<double> error =
-      scene.far_field ? std::optional(steady::error_of_closed_domain) : std::optional<double>();
-  const double X_b = steady::chosen_outlet(point.M, point.L, scene.shape, error);
-  const double X_a = steady::chosen_inlet(point.M, point.L, X_b, scene.shape, error);
-  const double half = steady::chosen_half_width(X_a, X_b, scene.shape, scene.far_field);
+      scene.far_field ? std::optional(steady::Tuning{}.error_of_closed_domain) : std::optional<double>();
+  const double X_b = steady::chosen_outlet({}, scene.contact, error);
+  const double X_a = steady::chosen_inlet({}, scene.contact, X_b, error);
+  const double half = steady::chosen_half_width({}, X_a, X_b, scene.contact.shape, scene.far_field);
   int levels = 0;
   for (int cells = n; cells % 2 == 0 && cells >= 64; cells /= 2) ++levels;
   const double pairs = std::round(std::ldexp(2.0 * half * n / (X_b - X_a), -levels - 1));

@@ -9,10 +9,8 @@ namespace ehl::tests {
 /// M and L with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; for L = 0 isoviscous and incompressible.
 inline steady::Scene roelands_scene(double M, double L, const core::Grid& grid, const contact::Ellipse& shape = {}) {
   steady::Scene scene;
-  scene.shape = shape;
+  scene.contact = steady::scales_of(M, L, shape);
   const contact::Groups groups = contact::from_moes(M, L, shape);
-  scene.M = M;
-  scene.L = L;
   scene.lambda = groups.lambda;
   scene.grid = grid;
   if (L == 0.0) return scene;
@@ -32,9 +30,10 @@ inline steady::Scene roelands_line(double M, double L, const core::Grid& grid) {
 }
 /// A line contact on the domain that a deck with M and L gets.
 inline steady::Scene open_line(double M, double L, int cells) {
-  const contact::Ellipse line = contact::line_contact();
-  const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);
-  const double X_a = steady::chosen_inlet(M, L, X_b, line, steady::error_of_closed_domain);
+  const steady::Tuning tuning;
+  const steady::ContactScales scales = steady::scales_of(M, L, contact::line_contact());
+  const double X_b = steady::chosen_outlet(tuning, scales, tuning.error_of_closed_domain);
+  const double X_a = steady::chosen_inlet(tuning, scales, X_b, tuning.error_of_closed_domain);
   steady::Scene scene = roelands_line(M, L, core::line_grid(cells, X_a, X_b));
   scene.far_field = true;
   return scene;

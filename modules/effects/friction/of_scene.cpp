@@ -5,6 +5,7 @@
 
 #include "core/norms.hpp"
 #include "effects/friction/beyond.hpp"
+#include "steady/multigrid_solve.hpp"
 
 namespace ehl::friction {
 namespace {
@@ -42,13 +43,13 @@ Friction friction_of(const steady::Scene& scene, const steady::SolvedFilm& film,
           .thinning = scene.thinning,
           .I0 = film.I0,
           .less_tau = film.less_tau,
-          .load = contact::load(scene.shape),
-          .gap = contact::gap(scene.shape),
+          .load = contact::load(scene.contact.shape),
+          .gap = contact::gap(scene.contact.shape),
           .lambda = scene.lambda,
           .starved = bool(scene.supply)};
   if (!oil_outside(scene)) {
     if (!scene.supply && std::isinf(parameters.meniscus))
-      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
+      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.contact.shape).X);
     return friction_of(of, parameters);
   }
   const double deformation = steady::geometry_of(scene).kernel.factor * of.load;

@@ -29,13 +29,13 @@ std::string advice_for_undone(const Contact& contact, const steady::Solution& be
          "or the sliding, or give [shear] law and [friction] limit";
 }
 
-steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& setup,
-                                   const steady::ProgressCallback& progress) {
+steady::Solution flooded_with_heat(const Contact& contact, const steady::ProgressCallback& progress) {
+  steady::Scene scene = contact.scene;
   scene.supply = {};
   scene.adjoint_errors = false;
   steady::Solution cold = steady::solve(scene, part_of(progress, 0.0, share_of_isothermal));
   if (!cold.converged) return cold;
-  return solve(scene, setup, cold, part_of(progress, share_of_isothermal, 1.0)).film;
+  return solve(scene, contact.setup, contact.tuning, cold, part_of(progress, share_of_isothermal, 1.0)).film;
 }
 
 // Solves the isothermal film, then the film with heat or flow thinning; only the former if it does not converge.
@@ -43,7 +43,7 @@ Coupled solve_in_turn(const Contact& contact, const steady::Scene& scene, const 
   Coupled found{.film = steady::solve(scene, part_of(progress, 0.0, share_of_isothermal))};
   if (!found.film.converged) return found;
   Solution& heat =
-      found.heat.emplace(solve(scene, contact.setup, found.film, part_of(progress, share_of_isothermal, 1.0)));
+      found.heat.emplace(solve(scene, contact.setup, contact.tuning, found.film, part_of(progress, share_of_isothermal, 1.0)));
   if (heat.undone) heat.film.failed_check += advice_for_undone(contact, found.film);
   heat.film.starvation = found.film.starvation;
   found.isothermal = std::exchange(found.film, std::exchange(heat.film, {}));
@@ -70,7 +70,7 @@ Coupled solve_passes(const Contact& contact, const steady::ProgressCallback& pro
   };
   const auto go_on = [&](const steady::Scene& one, const steady::Solution& before,
                          const steady::ProgressCallback& part) -> std::optional<steady::Solution> {
-    Solution heat = solve(alone(one), contact.setup, before, part);
+    Solution heat = solve(alone(one), contact.setup, contact.tuning, before, part);
     steady::Solution film = std::exchange(heat.film, {});
     if (!shown(one)) return film.converged ? std::optional(std::move(film)) : std::nullopt;
     went_on = film.converged;
@@ -79,11 +79,11 @@ Coupled solve_passes(const Contact& contact, const steady::ProgressCallback& pro
     return film;
   };
   const double share = 1.0 / (scene.passes.number + 1.0);
-  const steady::Solution flooded = flooded_with_heat(scene, contact.setup, part_of(progress, 0.0, share));
+  const steady::Solution flooded = flooded_with_heat(contact, part_of(progress, 0.0, share));
   last.film = steady::solve_passes(scene, steady::carried_at_centre(scene, flooded), find, go_on,
                                    part_of(progress, share, 1.0));
   last.film.starvation = steady::starvation_of(scene, last.film, flooded);
-  steady::add_errors_of_supply(last.film.passes, last.film.error_bars);
+  steady::add_errors_of_supply(scene.tuning, last.film.passes, last.film.error_bars);
   last.film.warnings = steady::warnings_of(scene, last.film);
   last.film.seconds = core::now() - began;
   last.film.starvation->seconds = last.film.seconds - flooded.seconds - (last.heat ? last.heat->seconds : 0.0);
@@ -98,7 +98,7 @@ Coupled solve_on_grid(const Contact& contact, const steady::ProgressCallback& pr
   if (!found.heat) return found;
   const double seconds = found.film.starvation->seconds + found.heat->seconds;
   found.film.starvation = steady::starvation_of(
-      scene, found.film, flooded_with_heat(scene, contact.setup, part_of(progress, share_of_starved, 1.0)));
+      scene, found.film, flooded_with_heat(contact, part_of(progress, share_of_starved, 1.0)));
   found.film.starvation->seconds = seconds;
   found.film.warnings = steady::warnings_of(scene, found.film);
   return found;
@@ -113,7 +113,7 @@ Coupled solve_coupled(const Contact& contact, const steady::ProgressCallback& pr
     if (std::isnan(one.accuracy.error)) return steady::solve(one);  // a solution for the error of the domain
     steady::Scene alone = one;
     alone.accuracy = {};
-    last = solve_on_grid({alone, contact.setup, contact.p_h, contact.eta0}, progress);
+    last = solve_on_grid({alone, contact.setup, contact.tuning, contact.p_h, contact.eta0}, progress);
     return last.film;
   };
   last.film = steady::solve_to_accuracy(contact.scene, find, progress, false);

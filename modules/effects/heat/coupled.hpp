@@ -12,6 +12,7 @@ namespace ehl::heat {
 struct Contact {
   const steady::Scene& scene;
   const thermal::Setup& setup;                             ///< complete except for the patch and the threads
+  const Tuning& tuning;
   double p_h = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
   double eta0 = std::numeric_limits<double>::quiet_NaN();  ///< [Pa s]
 };

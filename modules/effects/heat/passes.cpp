@@ -15,47 +15,25 @@ namespace {
 using judgement::LastCycle;
 using judgement::Measures;
 
-// Smallest under-relaxation factor: below it a pass changes too little. [bench: heat_least_weight]
-constexpr double least_weight = 0.1;
-// With under-relaxation factor w, the required change falls by the factor 1 - w if the film does not react. If it falls
-// by less than half of that, w decreases, else it increases, up to 1.
-constexpr double half_of_it = 0.5, less = 0.7, more = 1.3;
-// Remaining change = last change times q/(1 - q). The contraction factor q is that of the required change of the
-// coefficients, which is smoother than that of the largest temperature, and is limited to this range.
-// [bench: heat_contraction_factor]
-constexpr double least_q = 0.25, most_q = 0.9;
-// Assumed discretization error on a single grid.
-constexpr double unknown_error = 1e-2;
-// Lower bound of every error estimate.
-constexpr double least_error = 1e-3;
-// Friction, and temperature rise over T0, below which a value counts as zero.
-constexpr double least_mu = 1e-6, least_theta = 1e-6;
-// If no under-relaxation of the temperature helps: damping of the relaxation, as for a difficult isothermal film.
-constexpr double back_off = 0.8, least_damping = 0.5;
-// A pass ends once its cycles have reduced the residual by this factor, or after most_cycles.
-constexpr double enough_of_a_pass = 0.5;
-constexpr int most_cycles = 4;
-// From this pass on several sweeps are made: the remaining slow change comes from an inlet with recirculation, where
-// heat passes from line to line only once per sweep.
-constexpr int quick = 3, sweeps_when_slow = 3;
-constexpr double order = 2.0;  // of mu and temperatures, as of the film
-
 // Previous pass, its contraction factor, and the q in use.
 struct History {
   Pass before;
   double factor = 0.5, q = 0.5;
 };
 
-// Estimated remaining change of a quantity over the allowed one. in: least, below which its size counts as zero.
-double over_allowed(const Parameters& parameters, const Pass& now, const History& history, double Pass::*value,
-                    double least = 0.0) {
+// Estimated remaining change of a quantity over the allowed one: the last change times q/(1 - q). The contraction
+// factor q is that of the required change of the coefficients, which is smoother than that of the largest temperature.
+// in: least, below which its size counts as zero.
+double over_allowed(const judgement::Tuning& judged, const Parameters& parameters, const Pass& now,
+                    const History& history, double Pass::*value, double least) {
+  const Tuning& tuning = parameters.tuning;
   std::vector<double> sequence;
   for (const Pass& one : parameters.below) sequence.push_back(one.*value);
   sequence.push_back(now.*value);
-  double error =
-      parameters.below.empty() ? parameters.error : judgement::estimate_error(sequence, order).relative_error;
-  if (std::isnan(error)) error = unknown_error;
-  const double allowed = parameters.share * std::clamp(error, least_error, judgement::largest_licence);
+  double error = parameters.below.empty() ? parameters.error
+                                          : judgement::estimate_error(judged, sequence, tuning.order).relative_error;
+  if (std::isnan(error)) error = tuning.unknown_error;
+  const double allowed = parameters.share * std::clamp(error, tuning.least_error, judged.largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
   const double change = std::abs(now.*value - history.before.*value);
   return change * history.q / (1.0 - history.q) / size / allowed;
@@ -63,7 +41,7 @@ double over_allowed(const Parameters& parameters, const Pass& now, const History
 
 // Runs cycles with constant factors: one if it reduces the residual enough, more if the damping must increase first.
 // returns false if they find no film.
-bool cycle(multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
+bool cycle(const Tuning& tuning, multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   bool done = false;
   const multigrid::CycleObserver observe = [&](int number, const Measures& now) {
@@ -78,32 +56,37 @@ bool cycle(multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
   multigrid::update_film(hierarchy, hierarchy.levels[l]);
   const double before = multigrid::measures_of(hierarchy, l).residual;
   const multigrid::CyclesResult result = multigrid::run_cycles(
-      hierarchy, l, {.aim = judgement::Aim::residual, .most = most_cycles, .tolerance = enough_of_a_pass * before},
+      hierarchy, l,
+      {.aim = judgement::Aim::residual, .most = tuning.most_cycles, .tolerance = tuning.enough_of_a_pass * before},
       run.damping, observe);
   run.damping = result.damping;
   last = result.last;
   last.first = first;
   const multigrid::LevelRow& row = run.record.levels.back();
-  const double one_grid = judgement::error_of_one_grid(hierarchy.levels[l].grid.hx(), last.after.Hm, order);
+  const double one_grid = judgement::error_of_one_grid(hierarchy.parameters.judgement, hierarchy.levels[l].grid.hx(),
+                                                       last.after.Hm, tuning.order);
   last.error_Hc = std::isnan(row.error_Hc) ? one_grid : row.error_Hc;
   last.error_Hm = std::isnan(row.error_Hm) ? one_grid : row.error_Hm;
-  if (last.after.residual > multigrid::rough_factor * last.before.residual) run.damping.relax_after = true;
+  if (last.after.residual > hierarchy.parameters.tuning.rough_factor * last.before.residual)
+    run.damping.relax_after = true;
   return done && result.end != multigrid::CyclesEnd::diverged;
 }
 
-Pass pass_of(const Measures& measures, const thermal::Balance& balance, const History& history,
-             const Parameters& parameters) {
+Pass pass_of(const judgement::Tuning& judged, const Measures& measures, const thermal::Balance& balance,
+             const History& history, const Parameters& parameters) {
   Pass pass{.Hc = measures.Hc, .Hm = measures.Hm, .mu = balance.friction, .theta = balance.film.theta};
+  const auto change_of = [&](double Pass::*value, double least) {
+    return over_allowed(judged, parameters, pass, history, value, least);
+  };
   pass.change =
-      std::max({over_allowed(parameters, pass, history, &Pass::Hc), over_allowed(parameters, pass, history, &Pass::Hm),
-                over_allowed(parameters, pass, history, &Pass::mu, least_mu),
-                over_allowed(parameters, pass, history, &Pass::theta, least_theta)});
+      std::max({change_of(&Pass::Hc, 0.0), change_of(&Pass::Hm, 0.0), change_of(&Pass::mu, parameters.tuning.least_mu),
+                change_of(&Pass::theta, parameters.tuning.least_theta)});
   return pass;
 }
 
 // Criterion that a pass does not meet; empty if it meets all.
-std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const LastCycle& last,
-                     const Parameters& parameters) {
+std::string unmet_of(const judgement::Tuning& judged, const Pass& pass, const thermal::Balance& balance,
+                     const LastCycle& last, const Parameters& parameters) {
   if (pass.undone) return "the film cannot be solved at its temperature: no cycle converges from this iteration on";
   if (balance.clipped) return "the temperature has reached its bounds";
   if (pass.change > 1.0)
@@ -112,7 +95,7 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   if (!(std::abs(balance.defect) <= parameters.defect))
     return fmt::format("the heat generated and the heat conducted away differ by {:.1e} (limit {:.1e})", balance.defect,
                        parameters.defect);
-  return judgement::unmet_check(last, parameters.tolerance);
+  return judgement::unmet_check(judged, last, parameters.tolerance);
 }
 
 // Closes the oil balance of a solution. in: the state before its pass. returns the criterion that is not met then;
@@ -126,14 +109,14 @@ std::string correct_mass(multigrid::Run& run, std::size_t l, const multigrid::St
     const int number = run.record.history.back().cycle;
     run.record.history.pop_back();
     multigrid::enter(hierarchy, l, number, last.after, run.record);
-    return judgement::Verdict{judgement::unmet_check(last, parameters.tolerance)};
+    return judgement::Verdict{judgement::unmet_check(hierarchy.parameters.judgement, last, parameters.tolerance)};
   };
   return multigrid::close_or_leave(hierarchy, l, before, relaxation, last.after, judge).unmet;
 }
 
 // Updates temperature and factors from the state. returns the change of the coefficients that the film requires.
-double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, double weight,
-             thermal::Balance& balance) {
+double renew(const Tuning& tuning, multigrid::Hierarchy& hierarchy, std::size_t l, int pass,
+             thermal::FilmTemperature& film, double weight, thermal::Balance& balance) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
   multigrid::Level& level = hierarchy.levels[l];
   if (multigrid::conserves_mass(level)) {
@@ -143,10 +126,12 @@ double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::
   } else {
     film.take(level.P, level.H);
   }
-  const bool slow = pass > quick;
+  // The slow change that remains after the first passes comes from an inlet with recirculation, where heat passes from
+  // line to line only once per sweep.
+  const bool slow = pass > tuning.quick;
   // Temperatures carried upstream in the inlet change slowly, so they are swept only in every second of the first
   // passes.
-  for (int sweep = 0; sweep < (slow ? sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
+  for (int sweep = 0; sweep < (slow ? tuning.sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
   balance = film.balance();
   return take_factors(hierarchy, l, film, weight);
 }
@@ -156,6 +141,8 @@ double renew(multigrid::Hierarchy& hierarchy, std::size_t l, int pass, thermal::
 Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& film, const Parameters& parameters) {
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   multigrid::Level& level = hierarchy.levels[l];
+  const Tuning& tuning = parameters.tuning;
+  const judgement::Tuning& judged = hierarchy.parameters.judgement;
   Result result;
   History history;
   LastCycle last;
@@ -165,22 +152,23 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     const multigrid::State kept = multigrid::state_of(hierarchy, l);
     const multigrid::Damping damping = run.damping;
     for (const auto field : film::factor_fields) core::copy(*level.factors.*field, factors_before.*field);
-    const double asked = renew(hierarchy, l, n, film, weight, result.balance);
-    const double factor = std::clamp(asked / asked_before, least_q, most_q);
+    const double asked = renew(tuning, hierarchy, l, n, film, weight, result.balance);
+    const double factor = std::clamp(asked / asked_before, tuning.least_q, tuning.most_q);
     if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
     history.factor = factor;
-    const bool falls = asked < (1.0 - half_of_it * weight) * asked_before;
-    weight = falls ? std::min(1.0, more * weight) : std::max(least_weight, less * weight);
-    const bool good = std::isfinite(asked) && cycle(run, l, n == 1, last);
-    Pass pass = good ? pass_of(last.after, result.balance, history, parameters) : history.before;
+    // The required change falls by the factor 1 - weight if the film does not react.
+    const bool falls = asked < (1.0 - tuning.half_of_it * weight) * asked_before;
+    weight = falls ? std::min(1.0, tuning.more * weight) : std::max(tuning.least_weight, tuning.less * weight);
+    const bool good = std::isfinite(asked) && cycle(tuning, run, l, n == 1, last);
+    Pass pass = good ? pass_of(judged, last.after, result.balance, history, parameters) : history.before;
     pass.weight = weight;
     pass.undone = !good;
     result.passes.push_back(pass);
-    result.unmet = unmet_of(pass, result.balance, last, parameters);
+    result.unmet = unmet_of(judged, pass, result.balance, last, parameters);
     if (good) {
       if (n > 1 && result.unmet.empty() && l == run.finest())
         result.unmet = correct_mass(run, l, kept, parameters, last);
-      run.record.verification = judgement::verification_of(last);
+      run.record.verification = judgement::verification_of(judged, last);
       if (n > 1 && result.unmet.empty()) return result;
       history.before = pass;
       asked_before = asked;
@@ -192,9 +180,10 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     multigrid::update_film(hierarchy, level);
     weight *= 0.5;
     run.damping = damping;
-    if (weight >= least_weight) continue;
-    run.damping = {.all = back_off * damping.all, .steep = back_off * damping.steep, .relax_after = true};
-    if (run.damping.all < least_damping) return result;
+    if (weight >= tuning.least_weight) continue;
+    // No under-relaxation helps: damping of the cycles, as for a difficult isothermal film.
+    run.damping = {.all = tuning.back_off * damping.all, .steep = tuning.back_off * damping.steep, .relax_after = true};
+    if (run.damping.all < tuning.least_damping) return result;
     weight = 1.0;
   }
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "effects/heat/factors.hpp"
+#include "effects/heat/tuning.hpp"
 #include "judgement/measures.hpp"
 #include "multigrid/full_multigrid.hpp"
 #include "thermal/film_temperature.hpp"
@@ -35,6 +36,7 @@ struct Parameters {
   double error = std::numeric_limits<double>::quiet_NaN();
   /// Slowly settling parts may hide behind fast ones: use the larger contraction factor of the last two passes.
   bool slow = false;
+  Tuning tuning{};
 };
 
 /// Result of the thermal iteration on one grid.

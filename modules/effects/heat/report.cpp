@@ -10,33 +10,30 @@
 namespace ehl::heat {
 namespace {
 
-// Order of the temperatures assumed in the error estimate, with three grids and with two. With two grids no order can
-// be measured, and errors of opposite sign may cancel by chance. [bench: heat_order_of_two_grids]
-constexpr double order = 2.0, order_of_two_grids = 1.0;
-// Safety factor on the estimates, and their lower bound.
-constexpr double wider = 1.5, least = 1e-3;
-
-double error_of(const std::vector<Row>& rows, double Row::*value) {
+// Relative error of a temperature. With two grids no order can be measured, and errors of opposite sign may cancel by
+// chance.
+double error_of(const Tuning& tuning, const judgement::Tuning& judged, const std::vector<Row>& rows,
+                double Row::*value) {
   std::vector<double> sequence;
   for (const Row& row : rows) sequence.push_back(row.*value);
-  const double told =
-      wider * judgement::estimate_error(sequence, sequence.size() < 3 ? order_of_two_grids : order).relative_error;
-  return std::isnan(told) ? told : std::max(told, least);
+  const double order = sequence.size() < 3 ? tuning.order_of_two_grids : tuning.order;
+  const double told = tuning.wider * judgement::estimate_error(judged, sequence, order).relative_error;
+  return std::isnan(told) ? told : std::max(told, tuning.least_bar);
 }
 
 // Temperature that a spike may reach on finer grids; NaN if it cannot be estimated.
-double foreseen(const std::vector<Row>& rows, double Row::*behind) {
-  constexpr double grows_on = 2.0;  // times the last increase
+double foreseen(const Tuning& tuning, const std::vector<Row>& rows, double Row::*behind) {
   if (rows.size() < 2) return NAN;
   const double last = rows.back().*behind, before = rows[rows.size() - 2].*behind;
-  return last + grows_on * std::max(0.0, last - before);
+  return last + tuning.grows_on * std::max(0.0, last - before);
 }
 
 // Relative error of a temperature. If the film is hardly sheared, a pressure spike becomes the hottest place once a
 // grid resolves it. On coarser grids it is not yet the largest value, and the sequence of largest values hides its
-// growth. [bench: heat_behind_spike]
-double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
-  const double told = error_of(rows, value), under_spike = foreseen(rows, behind);
+// growth.
+double error_of(const Tuning& tuning, const judgement::Tuning& judged, const std::vector<Row>& rows, double Row::*value,
+                double Row::*behind) {
+  const double told = error_of(tuning, judged, rows, value), under_spike = foreseen(tuning, rows, behind);
   return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);
 }
 
@@ -116,17 +113,20 @@ double mean_of(const thermal::FilmTemperature& film, const core::Patch& patch, c
 
 }  // namespace
 
-Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,
-                const core::Field& H, const thermal::Setup& setup, const thermal::Balance& balance,
-                std::vector<Row> rows) {
+Solution report(const Tuning& tuning, const judgement::Tuning& judged, const Finest& finest,
+                const thermal::Balance& balance, std::vector<Row> rows) {
+  const auto& [film, patch, P, H, setup] = finest;
+  const auto error = [&](double Row::*value, double Row::*behind) {
+    return error_of(tuning, judged, rows, value, behind);
+  };
   const int edge = std::clamp(static_cast<int>(std::lround((-1.0 - patch.domain.X_a) / patch.hx())), 0, patch.nx);
   const int centre = std::clamp(static_cast<int>(std::lround(-patch.domain.X_a / patch.hx())), 0, patch.nx);
   const int middle = setup.intervals / 2;
   return {.film = {},
           .balance = balance,
-          .in_film = hottest(patch, balance.film, error_of(rows, &Row::film, &Row::film_behind)),
-          .on_1 = hottest(patch, balance.surface_1, error_of(rows, &Row::surface_1, &Row::surface_1_behind)),
-          .on_2 = hottest(patch, balance.surface_2, error_of(rows, &Row::surface_2, &Row::surface_2_behind)),
+          .in_film = hottest(patch, balance.film, error(&Row::film, &Row::film_behind)),
+          .on_1 = hottest(patch, balance.surface_1, error(&Row::surface_1, &Row::surface_1_behind)),
+          .on_2 = hottest(patch, balance.surface_2, error(&Row::surface_2, &Row::surface_2_behind)),
           .mean = mean_of(film, patch, P, middle),
           .C = film.C()(centre, middle_line(patch)),
           .inlet = film.theta(edge, middle_line(patch), middle),

@@ -4,9 +4,17 @@
 
 namespace ehl::heat {
 
-/// Everything but the film and the time. in: temperature, pressure and film on the finest grid; rows of all grids.
-Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,
-                const core::Field& H, const thermal::Setup& setup, const thermal::Balance& balance,
-                std::vector<Row> rows);
+/// Temperature, pressure and film on the finest grid.
+struct Finest {
+  const thermal::FilmTemperature& film;
+  const core::Patch& patch;
+  const core::Field& P;
+  const core::Field& H;
+  const thermal::Setup& setup;
+};
+
+/// Everything but the film and the time. in: rows of all grids.
+Solution report(const Tuning& tuning, const judgement::Tuning& judged, const Finest& finest,
+                const thermal::Balance& balance, std::vector<Row> rows);
 
 }  // namespace ehl::heat

@@ -23,19 +23,12 @@ namespace {
 
 // Number of coarser grids, as the error estimate needs.
 constexpr std::size_t grids_below = 2;
-// Line contacts, whose coarse grids are cheap, start on a grid of at most this many cells: on finer ones the isothermal
-// film, especially a starved one, may be too far from the thermal solution for the cycles to converge.
-constexpr int cells_of_first_line = 64;
-// Tolerances on the coarser grids: enough for a good start and an error estimate.
-constexpr double residual_below = 1e-3, change_below = 2e-3;
-// Tolerance on the first grid. An inlet with recirculation settles slowly; on finer grids its remaining change per pass
-// is below the allowed one and would stay. [bench: heat_change_of_first]
-constexpr double change_of_first = 3e-4;
 
 // The sequence of grids and the state of the iteration.
 struct HeatedRun {
   steady::Scene scene;  // with factors
   multigrid::Run run;
+  Tuning tuning;
   double first_weight = 1.0;  // under-relaxation factor of the first pass on the first grid
   std::vector<Pass> found{};  // coarse to fine
   std::vector<Row> rows{};
@@ -53,12 +46,12 @@ double share_of_load(const multigrid::Run& run, std::size_t l) {
   return load ? sum * patch.hx() * patch.hy() / *load : 1.0;
 }
 
-HeatedRun begin(steady::Scene scene, const steady::ProgressCallback& progress) {
+HeatedRun begin(steady::Scene scene, const Tuning& tuning, const steady::ProgressCallback& progress) {
   scene.has_factors = true;
   const steady::Start start{.coarsest = steady::held_by(64, scene) ? 32 : 64};
   multigrid::Run run = steady::begin_multigrid(scene, start, progress);
   run.damping = run.plan.above;
-  return {.scene = std::move(scene), .run = std::move(run)};
+  return {.scene = std::move(scene), .run = std::move(run), .tuning = tuning};
 }
 
 multigrid::State injected(const multigrid::Run& run, std::size_t l, const steady::Solution& isothermal) {
@@ -98,13 +91,16 @@ void pass_on(HeatedRun& heated, std::size_t l, thermal::Setup setup) {
   heated.below = std::move(heated.film);
   heated.film.emplace(setup);
   if (heated.below) heated.film->start_from(*heated.below, coarser ? &*coarser : nullptr);
-  Parameters parameters{.below = heated.found, .tolerance = run.hierarchy.parameters.tolerance};
+  const Tuning& tuning = heated.tuning;
+  Parameters parameters{.below = heated.found, .tolerance = run.hierarchy.parameters.tolerance, .tuning = tuning};
   parameters.slow = heated.found.empty();
   if (heated.found.empty()) parameters.first_weight = heated.first_weight;
   if (l < run.finest()) {
-    parameters.tolerance = residual_below;
+    // Enough for a good start and an error estimate. An inlet with recirculation settles slowly: on finer grids its
+    // remaining change per pass is below the allowed one and would stay.
+    parameters.tolerance = tuning.residual_below;
     parameters.below.clear();
-    parameters.error = (heated.found.empty() ? change_of_first : change_below) / parameters.share;
+    parameters.error = (heated.found.empty() ? tuning.change_of_first : tuning.change_below) / parameters.share;
   }
   run.record.levels.emplace_back();
   heated.last = heat_up(run, l, *heated.film, parameters);
@@ -165,44 +161,42 @@ bool solve_levels(HeatedRun& heated, std::size_t first, const thermal::Setup& se
   return true;
 }
 
-std::size_t first_grid(const multigrid::Run& run) {
+// Line contacts, whose coarse grids are cheap, start on a coarse grid: on finer ones the isothermal film, especially a
+// starved one, may be too far from the thermal solution for the cycles to converge.
+std::size_t first_grid(const Tuning& tuning, const multigrid::Run& run) {
   const std::size_t finest = run.finest(), least = std::min(run.plan.first, finest);
   std::size_t first = std::max(least, finest - std::min(finest, grids_below));
-  const auto too_fine = [&](const core::Patch& grid) { return grid.domain.line && grid.nx > cells_of_first_line; };
+  const auto too_fine = [&](const core::Patch& grid) {
+    return grid.domain.line && grid.nx > tuning.cells_of_first_line;
+  };
   while (first > least && too_fine(run.hierarchy.levels[first].grid)) --first;
   return first;
 }
 
 // If a grid is too coarse for the thermal solution, the sequence starts again on the next finer one.
-HeatedRun found(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
-                const steady::ProgressCallback& progress, double first_weight = 1.0) {
-  HeatedRun heated = begin(scene, progress);
+HeatedRun found(const steady::Scene& scene, const thermal::Setup& setup, const Tuning& tuning,
+                const steady::Solution& isothermal, const steady::ProgressCallback& progress,
+                double first_weight = 1.0) {
+  HeatedRun heated = begin(scene, tuning, progress);
   heated.first_weight = first_weight;
   const std::size_t finest = heated.run.finest();
-  std::size_t first = first_grid(heated.run);
+  std::size_t first = first_grid(tuning, heated.run);
   while (!solve_levels(heated, first, setup, isothermal) && first < finest)
     first = std::min(finest, first + std::max<std::size_t>(1, heated.rows.size()));
   return heated;
 }
 
-// Line contacts: V cycles first; if they fail, F cycles with this under-relaxation factor in the first pass.
-// [bench: heat_gentle]
-constexpr double gentle = 0.25;
-HeatedRun found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& setup,
+// Line contacts: V cycles first; if they fail, F cycles with a smaller under-relaxation factor in the first pass.
+HeatedRun found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& setup, const Tuning& tuning,
                               const steady::Solution& isothermal, const steady::ProgressCallback& progress) {
-  HeatedRun heated = found(scene, setup, isothermal, progress);
+  HeatedRun heated = found(scene, setup, tuning, isothermal, progress);
   const bool free = scene.grid.line && !scene.solver.cycle && std::isnan(scene.solver.tolerance);
   if (heated.last.unmet.empty() || !free) return heated;
   steady::Scene careful = scene;
   careful.solver.cycle = multigrid::Cycle::F;
-  HeatedRun other = found(careful, setup, isothermal, progress, gentle);
+  HeatedRun other = found(careful, setup, tuning, isothermal, progress, tuning.gentle);
   return other.last.unmet.empty() ? std::move(other) : std::move(heated);
 }
-
-// Error of Hc and Hm from the length of the inlet, per |ln(epsilon/epsilon_cold)| at the first node of a line contact:
-// oil that returns from upstream is warmer or colder than the boundary condition assumes.
-// [bench: heat_share_of_warm_inlet]
-constexpr double share_of_warm_inlet = 0.03;
 
 // An unresolved spike is hotter on each finer grid, so the sequence gives no error of the film temperature. The
 // surfaces are hardly heated by the spike, and their errors include its growth.
@@ -213,7 +207,9 @@ void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
   result.in_film.error = unknown;
 }
 
-void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold, double warm_inlet,
+// in: inlet_error, of Hc and Hm from the length of the inlet: oil that returns from upstream is warmer or colder than
+// the boundary condition assumes.
+void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold, double inlet_error,
               steady::Solution& film) {
   film.method = isothermal.method + (film_is_cold ? ", then a fixed-point iteration with thinning by the flow"
                                                   : ", then a fixed-point iteration with heat");
@@ -223,16 +219,16 @@ void complete(const steady::Scene& scene, const steady::Solution& isothermal, bo
   film.domain_error_Hc = isothermal.domain_error_Hc;
   core::add(isothermal.times, film.times);
   film.error_bars = steady::error_bars_of(scene, film);
-  film.error_bars.domain += share_of_warm_inlet * warm_inlet;
+  film.error_bars.domain += inlet_error;
   film.warnings = steady::warnings_of(scene, film);
 }
 
 }  // namespace
 
-Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
-               const steady::ProgressCallback& progress) {
+Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const Tuning& tuning,
+               const steady::Solution& isothermal, const steady::ProgressCallback& progress) {
   const double began = core::now();
-  HeatedRun heated = found_by_some_cycle(scene, setup, isothermal, progress);
+  HeatedRun heated = found_by_some_cycle(scene, setup, tuning, isothermal, progress);
   multigrid::Record& record = heated.run.record;
   record.converged = heated.last.unmet.empty();
   record.failed_check = record.converged ? ""
@@ -241,12 +237,13 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
                                                heated.last.unmet;
   record.end = record.converged ? multigrid::CyclesEnd::converged : multigrid::CyclesEnd::limit;
   const multigrid::Level& level = heated.run.hierarchy.finest();
-  Solution result = report(*heated.film, level.grid, level.P, level.H, setup, heated.last.balance, heated.rows);
+  Solution result = report(tuning, scene.solver.judgement, {*heated.film, level.grid, level.P, level.H, setup},
+                           heated.last.balance, heated.rows);
   const double warm_inlet = std::abs(std::log(heated.run.hierarchy.far_motion.mobility));
   result.film = steady::solution_of(heated.scene, std::move(heated.run));
   result.film.C_centre = result.C;
   result.undone = !result.film.converged && !heated.last.passes.empty() && heated.last.passes.back().undone;
-  complete(scene, isothermal, setup.cold(), warm_inlet, result.film);
+  complete(scene, isothermal, setup.cold(), tuning.share_of_warm_inlet * warm_inlet, result.film);
   judge_below_spike(result.film.error_bars, result);
   result.seconds = core::now() - began;
   result.film.seconds = isothermal.seconds + result.seconds;

@@ -57,7 +57,7 @@ struct Solution {
 /// pressure and temperatures of the coarser ones. If the coarser grids fail, the finest starts from the isothermal
 /// pressure. Converged if the passes on the finest grid are (passes.hpp). in: setup, whose patch is set here; a
 /// converged isothermal solution on the scene's grid. errors: core::Interrupted.
-Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
-               const steady::ProgressCallback& progress);
+Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const Tuning& tuning,
+               const steady::Solution& isothermal, const steady::ProgressCallback& progress);
 
 }  // namespace ehl::heat

@@ -36,7 +36,7 @@ dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
   const multigrid::Geometry geometry = steady::geometry_of(scene);
   dry::Problem problem{.grid = grid,
                        .gap = core::Field(grid),
-                       .load = contact::load(scene.shape),
+                       .load = contact::load(scene.contact.shape),
                        .threads = scene.threads,
                        .kernel = geometry.kernel,
                        .outline = geometry.outline};

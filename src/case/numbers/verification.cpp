@@ -9,7 +9,7 @@ namespace {
 const steady::Verification& checked(Of s) { return solution(s).verification; }
 
 std::string by_shape(Of s, const char* line, const char* circle, const char* else_) {
-  return of_line(s) ? line : contact::circular(s.input.scene.shape) ? circle : else_;
+  return of_line(s) ? line : contact::circular(s.input.scene.contact.shape) ? circle : else_;
 }
 
 std::string through(Of s) {

@@ -38,7 +38,7 @@ multigrid::Run run_of(const Case& c, int first_cells) {
   steady::Scene scene = tests::roelands_scene(c.M, c.L, c.grid);
   const contact::Groups groups = contact::from_moes(c.M, c.L, contact::ellipse(c.ratio, c.angle));
   scene.lambda = groups.lambda;
-  scene.shape = groups.shape;
+  scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
   if (c.L == 0.0) {
     scene.viscosity = rheology::Isoviscous{};
     scene.density = rheology::Incompressible{};

@@ -15,9 +15,9 @@ inline ehl::steady::Scene scene_of(const BaseCase& base, const ehl::thermal::Set
   ehl::steady::Scene scene;
   const double U = base.eta0 * base.u_m / (base.E_prime * base.R);
   const double W = base.load / (base.E_prime * base.R * (base.line ? 1.0 : base.R));
-  scene.M = W * std::pow(2 * U, base.line ? -0.5 : -0.75);
-  if (base.line) scene.shape = ehl::contact::line_contact();
-  scene.L = base.alpha * base.E_prime * std::pow(2 * U, 0.25);
+  scene.contact = ehl::steady::scales_of(W * std::pow(2 * U, base.line ? -0.5 : -0.75),
+                                         base.alpha * base.E_prime * std::pow(2 * U, 0.25),
+                                         base.line ? ehl::contact::line_contact() : ehl::contact::Ellipse{});
   scene.lambda = setup.lambda;
   scene.viscosity = setup.viscosity;
   scene.density = setup.density.at_T0;

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_line) {
     scene.adjoint_errors = false;
     const steady::Solution cold = steady::solve(scene);
     BOOST_TEST(cold.converged, cold.failed_check);
-    const heat::Solution warm = heat::solve(scene, setup, cold, {});
+    const heat::Solution warm = heat::solve(scene, setup, {}, cold, {});
     BOOST_TEST(warm.film.converged, warm.film.failed_check);
     double off = 0.0;
     for (int i = 0; i <= scene.grid.nx; ++i) off = std::max(off, std::abs(warm.film.H(i, 1) / cold.H(i, 1) - 1));

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(no_error_bar_of_the_film_under_an_unresolved_spike) {
   const steady::Scene scene = support::scene_of(base, setup, grid);
   const steady::Solution cold = steady::solve(scene);
   BOOST_TEST_REQUIRE(cold.converged, cold.failed_check);
-  const heat::Solution warm = heat::solve(scene, setup, cold, {});
+  const heat::Solution warm = heat::solve(scene, setup, {}, cold, {});
   BOOST_TEST_REQUIRE(warm.film.converged, warm.film.failed_check);
   BOOST_TEST_MESSAGE("film " << base.T0 * warm.in_film.theta << " K, error " << warm.in_film.error);
   BOOST_TEST(base.T0 * warm.in_film.theta < 2.0);

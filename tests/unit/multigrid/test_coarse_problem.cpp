@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(residuals_go_down_by_full_weighting_where_epsilon_is_consta
     fine.eps.fill(eps);
     Field restricted(grid);
     Field full_weighting(grid);
-    multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
+    multigrid::restrict_residual(hierarchy, fine, restricted);
     ehl::transfer::restrict_full_weighting(grid, fine.r, full_weighting);
     const double difference = largest_interior_difference(grid, restricted, full_weighting);
     BOOST_TEST_MESSAGE("epsilon " << eps << ": " << difference << " (tolerance 1e-15)");
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(residuals_are_shared_by_coupling_and_none_is_lost) {
       scatter.add(i, j);
     }
   Field restricted(grid);
-  multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
+  multigrid::restrict_residual(hierarchy, fine, restricted);
   const double difference = largest_interior_difference(grid, restricted, scatter);
   const double lost = std::abs(4.0 * ehl::core::interior_sum(restricted) / sum - 1.0);
   BOOST_TEST_MESSAGE("difference to sharing point by point " << difference << " (tolerance 1e-15), lost " << lost
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   Field restricted(grid);
 
   fine.r(11, 12) = 1.0;  // the first point of the weak side is coupled to the strong side by its western half point
-  multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
+  multigrid::restrict_residual(hierarchy, fine, restricted);
   const double share = elastic_coupling / (strong / 2.0 + 2.0 * elastic_coupling);
   BOOST_TEST_MESSAGE("beyond the jump " << 4.0 * restricted(6, 6) << ", stated " << share << " (to 1e-12)");
   BOOST_TEST(std::abs(4.0 * restricted(6, 6) / share - 1.0) < 1e-12);
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   // Between coarse rows, the residual goes first to the four neighbours, then as above.
   fine.r.fill(0.0);
   fine.r(11, 13) = 1.0;
-  multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
+  multigrid::restrict_residual(hierarchy, fine, restricted);
   const double beyond = restricted(6, 6) + restricted(6, 7) + restricted(6, 5) + restricted(6, 8);
   BOOST_TEST_MESSAGE("between rows: beyond the jump " << 4.0 * beyond << " (at most " << 3.0 * share << ")");
   BOOST_TEST(4.0 * beyond < 3.0 * share);
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   fine.r.fill(0.0);
   for (int j = 1; j < fine_grid.ny; ++j)
     for (int i = 1; i <= 10; ++i) fine.r(i, j) = 1.0;
-  multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
+  multigrid::restrict_residual(hierarchy, fine, restricted);
   for (int J = 1; J < grid.ny; ++J) BOOST_TEST(restricted(6, J) == 0.0);
 }
 
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one
   fine.load = 1.7;
   multigrid::restrict_problem(hierarchy, fine, coarse);
   Field expected(coarse.grid);
-  multigrid::restrict_residual(fine, hierarchy.problem.transport, 1, expected);
+  multigrid::restrict_residual(hierarchy, fine, expected);
 
   multigrid::update_film(hierarchy, coarse);
   double film = 0.0;

@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
 BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
   const auto unit = [](const contact::Ellipse& shape) {
     program::Case input = example_case();
-    input.scene.shape = shape;
+    input.scene.contact = steady::scales_of(input.scene.contact.M, input.scene.contact.L, shape);
     input.scene.grid.line = contact::line(shape);
     const program::Computed computed = computed_of(input, example_solution(true));
     return program::numbers::quantity("flow_through", {input, computed}).unit;

@@ -79,20 +79,20 @@ BOOST_AUTO_TEST_CASE(elliptic_contacts) {
   const program::Case by_radius = read(steel + "[contact]\nradius_y = 0.02\n");
   const program::Case by_ratio = read(steel + "[contact]\nradius_ratio = 0.5\n");
   for (const program::Case* one : {&by_radius, &by_ratio}) {
-    BOOST_TEST(one->scene.shape.radius_ratio == 0.5);
-    BOOST_TEST(one->scene.shape.angle == 30.0);
-    BOOST_TEST(one->scene.shape.kappa == 1.5858021197, tolerance(1e-9));
+    BOOST_TEST(one->scene.contact.shape.radius_ratio == 0.5);
+    BOOST_TEST(one->scene.contact.shape.angle == 30.0);
+    BOOST_TEST(one->scene.contact.shape.kappa == 1.5858021197, tolerance(1e-9));
     BOOST_TEST(one->physics.si->hertz.b / one->physics.si->hertz.a == 1.5858021197, tolerance(1e-9));
     BOOST_TEST(one->physics.groups.alpha_bar == 22e-9 * one->physics.p_h, tolerance(1e-12));
   }
   const program::Case ml = read("[contact]\nM = 63\nL = 6\nradius_ratio = 0.5\n[lubricant]\nalpha = 22e-9\nz = 0.52\n");
-  BOOST_TEST(ml.scene.shape.angle == 0.0);
+  BOOST_TEST(ml.scene.contact.shape.angle == 0.0);
   BOOST_TEST(ml.scene.grid.hx() == ml.scene.grid.hy(), tolerance(1e-12));
   BOOST_TEST(ml.scene.grid.Y_b > 1.4 * 1.58);
   const program::Case circle =
       read("[contact]\nM = 63\nL = 6\nradius_ratio = 1\n[lubricant]\nalpha = 22e-9\nz = 0.52\n");
   BOOST_TEST(circle.scene.grid.Y_b == 1.25 * 0.5 * (circle.scene.grid.X_b - circle.scene.grid.X_a));
-  BOOST_TEST(contact::circular(circle.scene.shape));
+  BOOST_TEST(contact::circular(circle.scene.contact.shape));
 }
 
 BOOST_AUTO_TEST_CASE(isoviscous_and_barus) {

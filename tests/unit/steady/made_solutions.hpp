@@ -62,8 +62,7 @@ inline Scene scene_for(double error) {
   const contact::Groups groups = contact::from_moes(20.0, 10.0);
   const double p_h = groups.alpha_bar / 2.2e-8;
   Scene scene;
-  scene.M = 20.0;
-  scene.L = 10.0;
+  scene.contact = steady::scales_of(20.0, 10.0);
   scene.lambda = groups.lambda;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);

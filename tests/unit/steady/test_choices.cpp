@@ -28,8 +28,7 @@ steady::Scene scene_of(double M, double L, const core::Grid& grid) {
   const contact::Groups groups = contact::from_moes(M, L);
   const double p_h = groups.alpha_bar / 2.2e-8;
   steady::Scene scene;
-  scene.M = M;
-  scene.L = L;
+  scene.contact = steady::scales_of(M, L);
   scene.lambda = groups.lambda;
   scene.grid = grid;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
@@ -77,14 +76,14 @@ BOOST_AUTO_TEST_CASE(load_outside_the_domain) {
 }
 
 BOOST_AUTO_TEST_CASE(inlet_and_outlet) {
-  BOOST_TEST(steady::chosen_inlet(50, 10, 1.5) == -4.5);    // the domain of the paper
-  BOOST_TEST(steady::chosen_inlet(1000, 10, 1.5) == -2.5);  // a short inlet at high load
-  BOOST_TEST(steady::chosen_outlet(50, 10) == 1.5);
-  BOOST_TEST(steady::chosen_outlet(2, 0) == 3.0);
+  BOOST_TEST(steady::chosen_inlet({}, steady::scales_of(50, 10), 1.5) == -4.5);    // the domain of the paper
+  BOOST_TEST(steady::chosen_inlet({}, steady::scales_of(1000, 10), 1.5) == -2.5);  // a short inlet at high load
+  BOOST_TEST(steady::chosen_outlet({}, steady::scales_of(50, 10)) == 1.5);
+  BOOST_TEST(steady::chosen_outlet({}, steady::scales_of(2, 0)) == 3.0);
   double before = 0.0;
   for (const double M : {3000.0, 300.0, 100.0, 50.0, 30.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.3}) {
-    const double X_b = steady::chosen_outlet(M, 5);
-    const double X_a = steady::chosen_inlet(M, 5, X_b);
+    const double X_b = steady::chosen_outlet({}, steady::scales_of(M, 5));
+    const double X_a = steady::chosen_inlet({}, steady::scales_of(M, 5), X_b);
     BOOST_TEST(X_a <= before);  // a lighter load never has a shorter inlet
     BOOST_TEST(X_a >= -200.0);
     // (0,0) is a node of 256 cells.
@@ -102,7 +101,7 @@ BOOST_AUTO_TEST_CASE(inlet_and_outlet) {
 BOOST_AUTO_TEST_CASE(expected_film) {
   for (const reference::CircularLimit& limit : reference::circular_limits) {
     if (limit.fluid == reference::Fluid::barus) continue;
-    const double expected = steady::expected_least_film(limit.M, limit.L);
+    const double expected = steady::scales_of(limit.M, limit.L).least_film;
     BOOST_TEST_MESSAGE("(" << limit.M << "," << limit.L << ") expected " << expected << ", reference " << limit.Hm);
     BOOST_TEST(expected / limit.Hm < 1.25);
     BOOST_TEST(expected / limit.Hm > 0.8);
@@ -111,9 +110,9 @@ BOOST_AUTO_TEST_CASE(expected_film) {
 
 BOOST_AUTO_TEST_CASE(cells) {
   using reynolds::Wedge;
-  const double step = steady::resolving_step(1000, 10, Wedge::upstream2);
-  BOOST_TEST(step < steady::resolving_step(200, 10, Wedge::upstream2));
-  BOOST_TEST(steady::resolving_step(1000, 10, Wedge::upstream1) < step);
+  const double step = steady::resolving_step({}, steady::scales_of(1000, 10), Wedge::upstream2);
+  BOOST_TEST(step < steady::resolving_step({}, steady::scales_of(200, 10), Wedge::upstream2));
+  BOOST_TEST(steady::resolving_step({}, steady::scales_of(1000, 10), Wedge::upstream1) < step);
   BOOST_TEST(steady::resolving_cells(4.0 / 300.0, 4.0, 256, 1024) == 512);
   BOOST_TEST(steady::resolving_cells(4.0 / 256.0, 4.0, 256, 1024) == 256);
   BOOST_TEST(steady::resolving_cells(1e-6, 4.0, 256, 1024) == 1024);
@@ -126,8 +125,8 @@ BOOST_AUTO_TEST_CASE(another_load) {
   const steady::Scene light = steady::under_load(scene, 100);
   const double p_h_ratio = 0.5;  // the cube root of one eighth
   BOOST_TEST(light.lambda == contact::from_moes(100, 12).lambda, tolerance(1e-14));
-  BOOST_TEST(light.M == 100.0);
-  BOOST_TEST(light.L == 12.0);
+  BOOST_TEST(light.contact.M == 100.0);
+  BOOST_TEST(light.contact.L == 12.0);
   for (const double P : {0.1, 0.7, 1.3}) {
     BOOST_TEST(log_viscosity(light.viscosity, P / p_h_ratio) == log_viscosity(scene.viscosity, P), tolerance(1e-13));
     BOOST_TEST(density(light.density, P / p_h_ratio) == density(scene.density, P), tolerance(1e-14));

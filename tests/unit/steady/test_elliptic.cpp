@@ -26,10 +26,8 @@ constexpr double z = 0.68;
 
 steady::Scene scene_of(const contact::Groups& groups, const core::Grid& grid) {
   steady::Scene scene;
-  scene.M = groups.M;
-  scene.L = groups.L;
+  scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
   scene.lambda = groups.lambda;
-  scene.shape = groups.shape;
   const double p_h = groups.alpha_bar / alpha;
   scene.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, z, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
@@ -135,22 +133,17 @@ BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
     check("difference of P", core::max_abs_difference(a.P, b.P), 1e-7);
     check("difference of H", H, 1e-7);
     // The domain and the mesh chosen for them are the same.
-    const double outlet = steady::chosen_outlet(groups_1.M, groups_1.L, one.shape);
-    check("outlet", std::abs(steady::chosen_outlet(groups_2.M, groups_2.L, other.shape) / (outlet * length) - 1),
-          1e-12);
-    const double inlet = steady::chosen_inlet(groups_1.M, groups_1.L, outlet, one.shape);
-    check("inlet",
-          std::abs(steady::chosen_inlet(groups_2.M, groups_2.L, outlet * length, other.shape) / (inlet * length) - 1),
-          1e-12);
+    const steady::ContactScales scales_1 = steady::scales_of(groups_1.M, groups_1.L, one.shape);
+    const steady::ContactScales scales_2 = steady::scales_of(groups_2.M, groups_2.L, other.shape);
+    const double outlet = steady::chosen_outlet({}, scales_1);
+    check("outlet", std::abs(steady::chosen_outlet({}, scales_2) / (outlet * length) - 1), 1e-12);
+    const double inlet = steady::chosen_inlet({}, scales_1, outlet);
+    check("inlet", std::abs(steady::chosen_inlet({}, scales_2, outlet * length) / (inlet * length) - 1), 1e-12);
     const auto step = [](const contact::Groups& g) {
-      return steady::resolving_step(g.M, g.L, reynolds::Wedge::upstream2, g.shape);
+      return steady::resolving_step({}, steady::scales_of(g.M, g.L, g.shape), reynolds::Wedge::upstream2);
     };
     check("step", std::abs(step(groups_2) / (step(groups_1) * length) - 1.0), 1e-12);
-    check("load of a circle as heavy",
-          std::abs(steady::circular_load(groups_1.M, groups_1.L, groups_1.shape) /
-                       steady::circular_load(groups_2.M, groups_2.L, groups_2.shape) -
-                   1.0),
-          1e-12);
+    check("load of a circle as heavy", std::abs(scales_1.circular_load / scales_2.circular_load - 1.0), 1e-12);
   }
 }
 
@@ -193,9 +186,7 @@ BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
   // Along the axes: P = -c X/H^2 with c = lambda/(3 + 2 B/A), H = A X^2 + B Y^2, outside the rectangle.
   const contact::Groups groups = contact::from_moes(1.0, 0.0, contact::ellipse(0.2));
   steady::Scene scene;
-  scene.M = groups.M;
-  scene.L = groups.L;
-  scene.shape = groups.shape;
+  scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
   scene.grid = {64, 64, -40.0, 3.0, -60.0, 60.0};
   const core::QuadraticForm A = contact::gap(groups.shape);
   const double c = groups.lambda / (3.0 + 2.0 * A.YY / A.XX);
@@ -221,7 +212,7 @@ BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
 BOOST_AUTO_TEST_CASE(a_steep_edge_is_one_of_this_pressure) {
   const auto damping = [](const contact::Ellipse& shape, double log_viscosity) {
     steady::Scene scene = scene_of(contact::from_moes(200, 20, shape), {64, 64, -4.5, 1.5, -3.0, 3.0});
-    const double depth = steady::film_zone(scene.M, scene.L, shape) / contact::extent(shape).shorter;
+    const double depth = scene.contact.film_zone / contact::extent(shape).shorter;
     scene.viscosity = rheology::Barus{log_viscosity / std::sqrt(2.0 * depth)};
     return steady::begin_multigrid(scene, {}, {}).plan.above.steep;
   };

@@ -19,6 +19,7 @@ using boost::test_tools::tolerance;
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+const judgement::Tuning tuned;
 
 /// The sequence limit + error 2^(-order k), k = 0, 1, ...
 std::vector<double> sequence(double limit, double error, double order, int count) {
@@ -35,13 +36,13 @@ BOOST_AUTO_TEST_SUITE(estimates)
 // limited to [order/2, order].
 BOOST_AUTO_TEST_CASE(by_hand) {
   const auto error = [](const std::vector<double>& values, double order) {
-    return estimate_error(values, order).relative_error;
+    return estimate_error(tuned, values, order).relative_error;
   };
   BOOST_TEST(error({0.5, 0.4}, 2.0) == 1.5 * 0.1 / 3.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.5, 0.4}, 1.0) == 1.5 * 0.1 / 1.0 / 0.4, tolerance(1e-12));
   // Differences 0.3 and 0.1: p = log2(3), 2^p - 1 = 2.
   BOOST_TEST(error({0.8, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 2.0 / 0.4, tolerance(1e-12));
-  BOOST_TEST(estimate_error(std::vector{0.8, 0.5, 0.4}, 2.0).order == std::log2(3.0), tolerance(1e-12));
+  BOOST_TEST(estimate_error(tuned, std::vector{0.8, 0.5, 0.4}, 2.0).order == std::log2(3.0), tolerance(1e-12));
   // Too fast, too slow, changing direction, constant.
   BOOST_TEST(error({1.5, 0.5, 0.4}, 2.0) == 1.25 * 0.125 / 3.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.6, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 1.0 / 0.4, tolerance(1e-12));
@@ -57,28 +58,28 @@ BOOST_AUTO_TEST_CASE(by_hand) {
 
 BOOST_AUTO_TEST_CASE(too_few_values_and_a_floor) {
   for (const std::vector<double>& few : {std::vector<double>{}, std::vector<double>{0.4}}) {
-    BOOST_TEST(std::isnan(estimate_error(few, 2.0).relative_error));
-    BOOST_TEST(std::isnan(estimate_error(few, 2.0).order));
+    BOOST_TEST(std::isnan(estimate_error(tuned, few, 2.0).relative_error));
+    BOOST_TEST(std::isnan(estimate_error(tuned, few, 2.0).order));
   }
-  BOOST_TEST(std::isnan(estimate_error(std::vector{0.5, 0.4}, 2.0).order));
-  BOOST_TEST(estimate_error(std::vector{0.5, 0.4}, 2.0, 0.2).relative_error == 0.2);
-  BOOST_TEST(estimate_error(std::vector{0.5, 0.4}, 2.0, 0.1).relative_error == 0.125, tolerance(1e-12));
+  BOOST_TEST(std::isnan(estimate_error(tuned, std::vector{0.5, 0.4}, 2.0).order));
+  BOOST_TEST(estimate_error(tuned, std::vector{0.5, 0.4}, 2.0, 0.2).relative_error == 0.2);
+  BOOST_TEST(estimate_error(tuned, std::vector{0.5, 0.4}, 2.0, 0.1).relative_error == 0.125, tolerance(1e-12));
 }
 
 // 0.008^(2/3) = 0.04.
 BOOST_AUTO_TEST_CASE(floor_of_the_first_order) {
-  BOOST_TEST(first_order_floor(0.01, 0.008) == 0.35 * 0.25, tolerance(1e-12));
-  BOOST_TEST(first_order_floor(0.02, 0.008) == 0.35 * 0.5, tolerance(1e-12));
-  for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(first_order_floor(0.01, Hm)));
+  BOOST_TEST(first_order_floor(tuned, 0.01, 0.008) == 0.35 * 0.25, tolerance(1e-12));
+  BOOST_TEST(first_order_floor(tuned, 0.02, 0.008) == 0.35 * 0.5, tolerance(1e-12));
+  for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(first_order_floor(tuned, 0.01, Hm)));
 }
 
 // h/Hm^(2/3) = 0.5 and 2.
 BOOST_AUTO_TEST_CASE(one_grid_alone) {
-  BOOST_TEST(error_of_one_grid(0.02, 0.008, 2.0) == 0.85 * 0.25, tolerance(1e-12));
-  BOOST_TEST(error_of_one_grid(0.08, 0.008, 2.0) == 0.85 * 4.0, tolerance(1e-12));
-  BOOST_TEST(error_of_one_grid(0.02, 0.008, 1.0) == 0.35 * 0.5, tolerance(1e-12));
-  BOOST_TEST(error_of_one_grid(0.08, 0.008, 1.0) == 0.35 * 4.0, tolerance(1e-12));
-  for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(error_of_one_grid(0.01, Hm, 2.0)));
+  BOOST_TEST(error_of_one_grid(tuned, 0.02, 0.008, 2.0) == 0.85 * 0.25, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(tuned, 0.08, 0.008, 2.0) == 0.85 * 4.0, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(tuned, 0.02, 0.008, 1.0) == 0.35 * 0.5, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(tuned, 0.08, 0.008, 1.0) == 0.35 * 4.0, tolerance(1e-12));
+  for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(error_of_one_grid(tuned, 0.01, Hm, 2.0)));
 }
 
 BOOST_AUTO_TEST_CASE(extrapolation_is_exact_for_its_order) {
@@ -281,8 +282,7 @@ BOOST_AUTO_TEST_CASE(one_level) {
 // If the domain error was not computed, the rough estimate from the far field is used (domain_error.hpp).
 BOOST_AUTO_TEST_CASE(domain_by_the_rough_estimate) {
   Scene scene;
-  scene.M = 20.0;
-  scene.L = 10.0;
+  scene.contact = steady::scales_of(20.0, 10.0);
   scene.lambda = 0.1;
   scene.grid = {64, 64, -4.5, 1.5, -3.0, 3.0};
   Solution solution = three_levels(1.0, 1.1, 1.15);

@@ -69,12 +69,13 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
     double M, L;
     int cells;
   };
-  constexpr double error = steady::error_of_closed_domain;
+  const double error = steady::Tuning{}.error_of_closed_domain;
   constexpr double allowed = 2e-3;
   for (const auto& [M, L, cells] :
        {Case{2, 0, 128}, Case{5, 5, 128}, Case{20, 10, 128}, Case{100, 10, 256}, Case{1000, 10, 512}}) {
-    const double X_b = steady::chosen_outlet(M, L, {}, error), X_a = steady::chosen_inlet(M, L, X_b, {}, error);
-    const double Y = steady::chosen_half_width(X_a, X_b, {}, true);
+    const steady::ContactScales scales = steady::scales_of(M, L);
+    const double X_b = steady::chosen_outlet({}, scales, error), X_a = steady::chosen_inlet({}, scales, X_b, error);
+    const double Y = steady::chosen_half_width({}, X_a, X_b, {}, true);
     const double h = (X_b - X_a) / cells;
     // Half of the domain in cells of the same size, with the necessary length downstream of the contact.
     int nx = 64;
@@ -99,7 +100,7 @@ BOOST_AUTO_TEST_CASE(likewise_beside_an_ellipse_aslant) {
   const auto scene_on = [&](const core::Grid& grid) {
     steady::Scene scene = closed_scene(20, 10, grid);
     scene.lambda = groups.lambda;
-    scene.shape = groups.shape;
+    scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
     return scene;
   };
   const steady::Solution small = solved(scene_on({192, 192, -6, 3, -4.5, 4.5}));
@@ -116,16 +117,17 @@ BOOST_AUTO_TEST_CASE(the_bar_of_the_domain_holds) {
   for (const auto& [M, L, ratio, angle, size] : {Case{2, 0, 1, 0, 1}, Case{5, 5, 1, 0, 0.5}, Case{20, 10, 1, 0, 1},
                                                  Case{20, 10, 0.2, 45, 1}, Case{10, 5, 5, 0, 1}}) {
     const contact::Groups groups = contact::from_moes(M, L, contact::ellipse(ratio, angle));
-    const double error = steady::error_of_closed_domain;
-    const double X_b = size * steady::chosen_outlet(M, L, groups.shape, error);
-    const double X_a = size * steady::chosen_inlet(M, L, X_b / size, groups.shape, error);
-    const double Y = steady::chosen_half_width(X_a, X_b, groups.shape, true);
+    const double error = steady::Tuning{}.error_of_closed_domain;
+    const steady::ContactScales scales = steady::scales_of(M, L, groups.shape);
+    const double X_b = size * steady::chosen_outlet({}, scales, error);
+    const double X_a = size * steady::chosen_inlet({}, scales, X_b / size, error);
+    const double Y = steady::chosen_half_width({}, X_a, X_b, groups.shape, true);
     const int ny = 2 * static_cast<int>(std::lround(2.0 * Y / (X_b - X_a) * 16)) * 4;
     const auto found = [&](int larger) {
       const double by = larger;
       steady::Scene scene = closed_scene(M, L, {128 * larger, ny * larger, by * X_a, by * X_b, -by * Y, by * Y});
       scene.lambda = groups.lambda;
-      scene.shape = groups.shape;
+      scene.contact = steady::scales_of(groups.M, groups.L, groups.shape);
       scene.wedge = reynolds::Wedge::upstream3;
       scene.face = reynolds::Face::logmean_bounded;
       scene.adjoint_errors = larger == 1;

@@ -24,8 +24,7 @@ Scene free_scene(double error) {
 // The load is so light that a domain of 200 Hertz radii is 72 times the size of the contact zone.
 Scene light_free_scene(double error) {
   Scene scene = free_scene(error);
-  scene.M = 2.0;
-  scene.L = 0.0;
+  scene.contact = steady::scales_of(2.0, 0.0);
   return scene;
 }
 

@@ -19,6 +19,7 @@ using namespace ehl::judgement;
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+const judgement::Tuning tuned;
 
 std::vector<double> sequence(double limit, double error, double order, int count) {
   std::vector<double> values;
@@ -39,7 +40,7 @@ LastCycle good_cycle() {
 BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
   for (const double order : {1.0, 2.0}) {
     const std::vector<double> values = sequence(0.2, 0.04, order, 4);
-    const ErrorEstimate estimate = estimate_error(values, order);
+    const ErrorEstimate estimate = estimate_error(tuned, values, order);
     const double truth = std::abs(values.back() - 0.2) / values.back();
     BOOST_TEST_MESSAGE("order " << estimate.order << ", error " << estimate.relative_error << ", true " << truth);
     BOOST_TEST(std::abs(estimate.order - order) < 1e-10);
@@ -51,14 +52,14 @@ BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
 // for Hc 1.25 .003/3 + .01/5.
 BOOST_AUTO_TEST_CASE(changes_that_swing_beside_a_meniscus) {
   const std::vector<double> Hc{1.013, 1.003, 1.0}, Hm{1.018, 0.998, 1.0};
-  const FilmErrors errors = errors_beside_meniscus(Hc, Hm);
+  const FilmErrors errors = errors_beside_meniscus(tuned, Hc, Hm);
   BOOST_TEST(std::abs(errors.Hm - 0.01) < 1e-12);
   BOOST_TEST(std::abs(errors.Hc - 0.00325) < 1e-12);
   // The safety factors for two levels are larger.
-  const FilmErrors of_two = errors_beside_meniscus(std::span(Hc).last(2), std::span(Hm).last(2));
+  const FilmErrors of_two = errors_beside_meniscus(tuned, std::span(Hc).last(2), std::span(Hm).last(2));
   BOOST_TEST(std::abs(of_two.Hm - 1.5 * 0.002) < 1e-12);
   BOOST_TEST(std::abs(of_two.Hc - (1.5 * 0.003 / 3.0 + 0.2 * 0.003)) < 1e-12);
-  BOOST_TEST(std::isnan(errors_beside_meniscus(std::span(Hc).last(1), std::span(Hm).last(1)).Hc));
+  BOOST_TEST(std::isnan(errors_beside_meniscus(tuned, std::span(Hc).last(1), std::span(Hm).last(1)).Hc));
 }
 
 BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asymptotic) {
@@ -66,19 +67,22 @@ BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asympt
   // eighth of the one before.
   const std::vector<double> too_good = sequence(0.2, 0.04, 4.0, 3);
   const double step = std::abs(too_good[2] - too_good[1]);
-  BOOST_TEST(std::abs(estimate_error(too_good, 2.0).relative_error - 1.25 * 2.0 * step / 3.0 / too_good[2]) < 1e-12);
+  BOOST_TEST(std::abs(estimate_error(tuned, too_good, 2.0).relative_error - 1.25 * 2.0 * step / 3.0 / too_good[2]) <
+             1e-12);
   // Differences with alternating signs have no order; the error is at least the last difference.
   const std::vector<double> turning{0.20, 0.21, 0.205};
-  BOOST_TEST(estimate_error(turning, 2.0).relative_error >= 0.005 / 0.205);
-  BOOST_TEST(std::isnan(estimate_error(turning, 2.0).order));
-  BOOST_TEST(std::isnan(estimate_error(std::vector<double>{0.2}, 2.0).relative_error));
-  BOOST_TEST(estimate_error(std::vector<double>{0.2, 0.21}, 2.0).relative_error > 0.01 / 3.0 / 0.21);
+  BOOST_TEST(estimate_error(tuned, turning, 2.0).relative_error >= 0.005 / 0.205);
+  BOOST_TEST(std::isnan(estimate_error(tuned, turning, 2.0).order));
+  BOOST_TEST(std::isnan(estimate_error(tuned, std::vector<double>{0.2}, 2.0).relative_error));
+  BOOST_TEST(estimate_error(tuned, std::vector<double>{0.2, 0.21}, 2.0).relative_error > 0.01 / 3.0 / 0.21);
 }
 
 // Errors of opposite sign cancel in a change below 2^-4.5 of the one before: it counts as a quarter of it, with
 // order 1.
 BOOST_AUTO_TEST_CASE(a_small_change_may_be_a_difference_of_errors) {
-  const auto error = [](const std::vector<double>& values) { return estimate_error(values, 2.0).relative_error; };
+  const auto error = [](const std::vector<double>& values) {
+    return estimate_error(tuned, values, 2.0).relative_error;
+  };
   BOOST_TEST(std::abs(error({0.9, 0.5, 0.48}) - 1.25 * 0.05 / 3.0 / 0.48) < 1e-12);
   BOOST_TEST(std::abs(error({0.9, 0.5, 0.49}) - 1.25 * 0.1 / 1.0 / 0.49) < 1e-12);
   BOOST_TEST(std::abs(error({0.9, 0.5, 0.5}) - 1.25 * 0.1 / 1.0 / 0.5) < 1e-12);
@@ -86,23 +90,23 @@ BOOST_AUTO_TEST_CASE(a_small_change_may_be_a_difference_of_errors) {
 
 BOOST_AUTO_TEST_CASE(an_oil_content_below_zero_is_no_solution) {
   Measures now = good_cycle().after;
-  BOOST_TEST(unmet_oil(now).empty());  // of a contact without a content
+  BOOST_TEST(unmet_oil(tuned, now).empty());  // of a contact without a content
   now.least_content = -1e-13;
-  BOOST_TEST(unmet_oil(now).empty());
+  BOOST_TEST(unmet_oil(tuned, now).empty());
   now.least_content = -6.7e-4;
-  BOOST_TEST(unmet_oil(now).find("oil content is negative at its lowest, Q = -6.70e-04") != std::string::npos);
+  BOOST_TEST(unmet_oil(tuned, now).find("oil content is negative at its lowest, Q = -6.70e-04") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_good_last_cycle_passes) {
-  BOOST_TEST(unmet_check(good_cycle(), unknown).empty());
-  BOOST_TEST(unmet_check(good_cycle(), 1e-3).empty());
+  BOOST_TEST(unmet_check(tuned, good_cycle(), unknown).empty());
+  BOOST_TEST(unmet_check(tuned, good_cycle(), 1e-3).empty());
 }
 
 BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   const auto fails = [](auto spoil, double tolerance, const char* word) {
     LastCycle cycle = good_cycle();
     spoil(cycle);
-    const std::string message = unmet_check(cycle, tolerance);
+    const std::string message = unmet_check(tuned, cycle, tolerance);
     BOOST_TEST_MESSAGE(message);
     BOOST_TEST(message.find(word) != std::string::npos);
   };
@@ -128,7 +132,7 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   const auto passes = [](auto spoil, double tolerance) {
     LastCycle cycle = good_cycle();
     spoil(cycle);
-    BOOST_TEST(unmet_check(cycle, tolerance).empty());
+    BOOST_TEST(unmet_check(tuned, cycle, tolerance).empty());
   };
   passes([](LastCycle& c) { c.after.flow_imbalance = 0.0049; }, unknown);
   passes([](LastCycle& c) { c.after.dry_violation = 0.019; }, unknown);

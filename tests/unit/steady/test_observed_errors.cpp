@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "steady/observed_errors.hpp"
+#include "steady/scene.hpp"
 
 using namespace ehl;
 using namespace ehl::steady;
@@ -19,7 +20,7 @@ BOOST_AUTO_TEST_CASE(of_observed_numbers) {
       levels.emplace_back();
       levels.back().observed = {0.0, value};
     }
-    return errors_of_observed(levels, spike);
+    return errors_of_observed({}, levels, spike);
   };
   const auto error = [&](const std::vector<double>& values, bool spike = false) { return errors(values, spike)[1]; };
   BOOST_TEST(errors({0.8, 0.5})[0] == 0.0);  // zero on all levels
@@ -32,7 +33,7 @@ BOOST_AUTO_TEST_CASE(of_observed_numbers) {
   BOOST_TEST(error({0.21, 0.31, 0.4}) == 1.25 * 0.09 / (std::exp2(0.32) - 1.0) / 0.4, tolerance(1e-12));
   BOOST_TEST(std::isnan(error({0.2, 0.28, 0.4})));
   BOOST_TEST(error({0.40001, 0.4, 0.40002}) == 3e-4, tolerance(1e-12));  // that of three
-  BOOST_TEST(errors_of_observed({}, false).empty());
+  BOOST_TEST(errors_of_observed({}, {}, false).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

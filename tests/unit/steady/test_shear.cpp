@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(the_newtonian_limit_and_continuation) {
   BOOST_TEST_MESSAGE("load continuation against the direct way: H " << H << " (tolerance 1e-8)");
   BOOST_TEST((led.converged && H < 1e-8));
   // For eight times the load, p_h and a are doubled, and k changes with 1/a^2.
-  BOOST_TEST(std::abs(steady::under_load(scene, 8.0 * scene.M).thinning->k / scene.thinning->k - 0.25) < 1e-14);
+  BOOST_TEST(std::abs(steady::under_load(scene, 8.0 * scene.contact.M).thinning->k / scene.thinning->k - 0.25) < 1e-14);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_lighter_load_meets_the_same_surface) {
   scene.surface = surface_of(dent_aside);
   constexpr double R = 0.0125, E = 110e9, F = 15.0, share = 0.05;
   const contact::Hertz full = contact::hertz(F, R, E), light = contact::hertz(share * F, R, E);
-  const steady::Scene under = steady::under_load(scene, share * scene.M);
+  const steady::Scene under = steady::under_load(scene, share * scene.contact.M);
   core::Field S(square);
   under.surface(square, S);
   double worst = 0.0;

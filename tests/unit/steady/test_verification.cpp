@@ -24,14 +24,14 @@ using namespace ehl::judgement;
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+const judgement::Tuning tuned;
 
 // (20,10), Roelands z = 0.68, Dowson-Higginson, on cells that are 1.5 times as long as wide.
 Scene scene_of(reynolds::Wedge wedge) {
   const contact::Groups groups = contact::from_moes(20.0, 10.0);
   const double p_h = contact::hertz_pressure(groups, 2.2e-8);
   Scene scene;
-  scene.M = groups.M;
-  scene.L = groups.L;
+  scene.contact = steady::scales_of(groups.M, groups.L);
   scene.lambda = groups.lambda;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
@@ -58,7 +58,7 @@ Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
 
 // Judges the state as the last of two cycles without any change.
 std::string unmet(const Measures& state) {
-  const std::string text = unmet_check({state, state, 0.02, 0.02}, unknown);
+  const std::string text = unmet_check(tuned, {state, state, 0.02, 0.02}, unknown);
   BOOST_TEST_MESSAGE(text);
   return text;
 }
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(verification_says_what_was_checked) {
   LastCycle cycle;
   cycle.before = {.Hc = 0.202, .Hm = 0.104, .residual = 1e-3};
   cycle.after = {.Hc = 0.200, .Hm = 0.100, .residual = 5e-4, .Hm_X = 0.3, .largest_residual = 0.02};
-  const Verification checked = verification_of(cycle);
+  const Verification checked = verification_of(tuned, cycle);
   // The residual was halved, so the remaining change equals the last change.
   BOOST_TEST(checked.change_Hc == 0.01, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(checked.algebraic_error_Hc == 0.01, boost::test_tools::tolerance(1e-12));

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(whatever_varies_is_followed_to_the_end) {
 BOOST_AUTO_TEST_CASE(a_load_that_doubles_in_a_twentieth_comes_to_its_own_steady_film) {
   const auto isoviscous = [](double M, double scale) {
     steady::Scene scene = roelands_scene(M, 1.0, {64, 64, -3.5 / scale, 2.0 / scale, -2.75 / scale, 2.75 / scale});
-    scene.L = 0.0;
+    scene.contact = steady::scales_of(scene.contact.M, 0.0);
     scene.viscosity = rheology::Isoviscous{};
     scene.density = rheology::Incompressible{};
     return scene;

@@ -1,0 +1,42 @@
+// Written by tests/structure/tuning.py from tuning.hpp.
+#include "effects/heat/tuning.hpp"
+
+namespace ehl::heat {
+
+const std::vector<core::TunedNumber<Tuning>>& tuned_numbers() {
+  using core::Tunable;
+  static const std::vector<core::TunedNumber<Tuning>> table{
+      {"least_weight", Tunable::share, &Tuning::least_weight, "smallest under-relaxation factor"},
+      {"half_of_it", Tunable::share, &Tuning::half_of_it,
+       "share of the expected fall below which the factor decreases"},
+      {"less", Tunable::reduction, &Tuning::less, "factor by which it decreases"},
+      {"more", Tunable::positive, &Tuning::more, "factor by which it increases"},
+      {"least_q", Tunable::share, &Tuning::least_q, "least contraction factor of the iteration"},
+      {"most_q", Tunable::reduction, &Tuning::most_q, "largest contraction factor of the iteration"},
+      {"unknown_error", Tunable::positive, &Tuning::unknown_error, "assumed discretization error on a single grid"},
+      {"least_error", Tunable::positive, &Tuning::least_error, "least discretization error in the criterion"},
+      {"least_mu", Tunable::positive, &Tuning::least_mu, "friction that counts as zero"},
+      {"least_theta", Tunable::positive, &Tuning::least_theta, "temperature rise over T0 that counts as zero"},
+      {"back_off", Tunable::reduction, &Tuning::back_off, "damping of the cycles if no under-relaxation helps"},
+      {"least_damping", Tunable::share, &Tuning::least_damping, "lower limit of this damping"},
+      {"enough_of_a_pass", Tunable::share, &Tuning::enough_of_a_pass, "factor on the residual at which a pass ends"},
+      {"most_cycles", Tunable::count, &Tuning::most_cycles, "most cycles of a pass"},
+      {"quick", Tunable::count, &Tuning::quick, "first passes, with one sweep of the temperature"},
+      {"sweeps_when_slow", Tunable::count, &Tuning::sweeps_when_slow, "sweeps in the later passes"},
+      {"order", Tunable::positive, &Tuning::order, "order of friction and temperatures"},
+      {"cells_of_first_line", Tunable::count, &Tuning::cells_of_first_line,
+       "most cells of a line contact's first grid"},
+      {"residual_below", Tunable::positive, &Tuning::residual_below, "residual on the coarser grids"},
+      {"change_below", Tunable::positive, &Tuning::change_below, "change on the coarser grids"},
+      {"change_of_first", Tunable::positive, &Tuning::change_of_first, "change on the first grid"},
+      {"gentle", Tunable::share, &Tuning::gentle, "first under-relaxation factor of a second attempt"},
+      {"order_of_two_grids", Tunable::positive, &Tuning::order_of_two_grids, "order with two grids"},
+      {"wider", Tunable::positive, &Tuning::wider, "safety factor on the errors of temperatures"},
+      {"least_bar", Tunable::positive, &Tuning::least_bar, "least error of a temperature"},
+      {"grows_on", Tunable::positive, &Tuning::grows_on, "further rise under a spike over its last rise"},
+      {"share_of_warm_inlet", Tunable::positive, &Tuning::share_of_warm_inlet, "inlet error per change of ln epsilon"},
+  };
+  return table;
+}
+
+}  // namespace ehl::heat
