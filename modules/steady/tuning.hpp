@@ -8,16 +8,16 @@ namespace ehl::steady {
 struct Tuning {
   // Cycles and weights (cycle_choice.cpp)
   core::Positive steep_log_viscosity = 20.0;  ///< ln eta_bar near the edge above which the steep weight is damped
-  core::Share damping_where_steep = 0.8;  ///< factor on the steep weight there [bench: steep_log_viscosity]
+  core::Share damping_where_steep = 0.8;  ///< factor on the steep weight where it is damped [bench: steep_log_viscosity]
   core::Positive steep_log_viscosity_of_slender = 9.0;  ///< ln eta_bar from which stretched cells relax (3,2)
   core::Count settling_sweeps = 4;  ///< relaxations after an interpolation, with more relaxations per cycle
-  core::Share settling_weight = 0.4;  ///< factor on their weights [bench: settling_sweeps]
+  core::Share settling_weight = 0.4;  ///< factor on the weights of these relaxations [bench: settling_sweeps]
   core::Positive widest_coarsest_step = 2.5;  ///< coarsest cell over the shorter half of an oblique contact
-  core::Positive widest_coarsest_step_elongated = 0.8;  ///< the same if it is elongated [bench: widest_coarsest_step]
+  core::Positive widest_coarsest_step_elongated = 0.8;  ///< coarsest cell if it is elongated [bench: widest_coarsest_step]
   core::Positive widest_coarsest_step_of_heavy_line = 0.15;  ///< coarsest cell of heavily loaded lines
   core::Positive narrow_domain = 1.99;  ///< length over width of a narrow domain, which gets a finer coarsest grid
   core::Positive crossover_of_line = 3e3;  ///< epsilon/h^2 above which a point of a line is relaxed singly
-  core::Positive least_single_epsilon_of_line = 0.02;  ///< such a point also needs epsilon above this
+  core::Positive least_single_epsilon_of_line = 0.02;  ///< epsilon above which a point of a line is relaxed singly
   core::Share weight_of_line = 0.8;  ///< under-relaxation of distributed changes on lines
   core::Share weight_when_stretched = 0.8;  ///< factor on all weights on stretched cells
   core::Share steep_when_stretched = 0.6;  ///< further factor on the steep weight on stretched cells
@@ -37,9 +37,9 @@ struct Tuning {
   core::Positive continuation_tolerance = 1e-4;  ///< residual and load error of an intermediate load
   core::Count continuation_most_cycles = 25;  ///< most cycles of an intermediate load [bench: continuation_steps]
   core::Count continuation_few_cycles = 8;  ///< cycles up to which the next step is longer [bench: continuation_steps]
-  core::Growth continuation_longer = 1.5;  ///< factor by which it is longer [bench: continuation_steps]
+  core::Growth continuation_longer = 1.5;  ///< factor on the step after few cycles [bench: continuation_steps]
   core::Growth continuation_longest_step = 3.0;  ///< longest step as a factor on the load [bench: continuation_steps]
-  core::Growth continuation_shortest_step = 1.005;  ///< shortest step, as such a factor [bench: continuation_steps]
+  core::Growth continuation_shortest_step = 1.005;  ///< shortest step as a factor on the load [bench: continuation_steps]
   core::Positive continuation_coarseness = 1.6;  ///< cell of the continuation's grid over the resolving step
   core::Share first_load = 0.01;  ///< first load over the scene's [bench: continuation_first_load]
   core::Positive lightest_M = 20.0;  ///< least M of the first load, as of a circle [bench: continuation_first_load]
@@ -51,26 +51,26 @@ struct Tuning {
   core::Count finest_from_hertz = 128;  ///< most cells of a start of Newton's method from the Hertz pressure
   core::Positive tolerance_between_passes = 1e-9;  ///< relative residual of the passes before the last
   core::Positive chattering_residual = 2e-2;  ///< residual up to which a pass with chattering nodes counts
-  core::Positive chattering_load_error = 1e-4;  ///< its load error [bench: chattering_residual]
+  core::Positive chattering_load_error = 1e-4;  ///< load error up to which such a pass counts [bench: chattering_residual]
 
   // Domain (domain_error.cpp, accuracy.cpp, grid_keys.cpp)
   core::Positive error_of_closed_domain = 5e-5;  ///< allowed error of a chosen domain with the closed far field
-  core::Share share_of_accuracy = 0.1;  ///< its largest share of a required accuracy
+  core::Share share_of_accuracy = 0.1;  ///< largest share of a required accuracy for a closed domain
   core::Positive closed_reach_of_line = 0.02;  ///< error of a line's closed far field over lambda/(Hc |X_a|^3)
-  core::Positive closed_reach_of_oblique = 3.0;  ///< of oblique ellipses [bench: closed_reach_of_oblique_contacts]
+  core::Positive closed_reach_of_oblique = 3.0;  ///< oblique ellipses [bench: closed_reach_of_oblique_contacts]
   core::Positive reach_of_thick_film = 8.0;  ///< domain of a thick film in sqrt(2 Hc), error 5e-5 [bench: closed_reach]
   core::Positive thick_film = 1.5;  ///< film over approach from which the outlet lies further downstream
   core::Positive most_at_inlet = 0.006;  ///< allowed error by the inlet, far field zero [bench: zero_domain]
-  core::Positive most_at_inlet_of_line = 0.003;  ///< the same of line contacts [bench: zero_domain]
+  core::Positive most_at_inlet_of_line = 0.003;  ///< most_at_inlet of line contacts [bench: zero_domain]
   core::Positive most_of_load = 0.02;  ///< allowed error by the load outside, far field zero [bench: zero_domain]
   core::Positive wider_closed_domain = 1.25;  ///< half width over half length with the closed far field
   core::Positive least_half_width = 1.4;  ///< least half width over that of an ellipse
-  core::Positive domain_worth_a_look = 0.01;  ///< rough error of the domain that is estimated by two solutions
-  core::Positive domain_tolerance = 1e-4;  ///< residual of these solutions
-  core::Count domain_fewest_cells = 32;  ///< least cells along x of these solutions
+  core::Positive domain_worth_a_look = 0.01;  ///< rough error of the domain from which coarse solutions estimate it
+  core::Positive domain_tolerance = 1e-4;  ///< residual of the coarse solutions for the error of the domain
+  core::Count domain_fewest_cells = 32;  ///< least cells along x of these coarse solutions
   core::Share share_of_domain = 0.5;  ///< share of a required accuracy for the domain [bench: shares_of_domain]
-  core::Share larger_share_of_domain = 0.7;  ///< share that is tried next [bench: shares_of_domain]
-  core::Count most_coarse_cells = 1024;  ///< most cells along x of the solutions that estimate it
+  core::Share larger_share_of_domain = 0.7;  ///< share for the domain that is tried next [bench: shares_of_domain]
+  core::Count most_coarse_cells = 1024;  ///< most cells along x of the solutions on larger domains
   core::Positive longest_domain = 200.0;  ///< longest domain in Hertz radii
   core::Positive longest_in_contacts = 72.0;  ///< longest domain over the size of the contact [bench: longest_domain]
   core::Share predicted_share = 0.95;  ///< predicted over allowed error of the next grid
@@ -80,7 +80,7 @@ struct Tuning {
   core::Positive cells_on_circle = 48.0;  ///< least cells across the shorter axis of an oblique ellipse
   core::Positive cells_per_contact_size = 5.0;  ///< least cells per size of an oblique contact [bench: cells_on_circle]
   core::Positive too_steep = 2.0;  ///< change of the load within a/u_m that the closed far field follows
-  core::Positive too_steep_for_ellipses = 0.5;  ///< the same of ellipses, if it is left open [bench: too_steep]
+  core::Positive too_steep_for_ellipses = 0.5;  ///< too_steep of ellipses, if it is left open [bench: too_steep]
 
   core::Positive elongated_from = 6.0;  ///< length over width of a contact with stretched cells [bench: cell_aspect]
   core::Positive wide_from = 7.0;  ///< width over length of a contact with wide cells [bench: cell_aspect]
@@ -111,10 +111,10 @@ struct Tuning {
   core::Positive safety_of_domain = 5.0;  ///< safety factor on the adjoint estimate of the domain's error
   core::Positive safety_of_closed_line = 3.0;  ///< safety factor on the rough estimate of a line's domain
   core::Positive order_of_observed = 1.5;  ///< assumed order of an integral over the film [bench: observed_errors]
-  core::Positive slowest_order_of_observed = 0.32;  ///< lowest order of it that is believed
-  core::Positive order_of_two_levels = 1.0;  ///< its order with two levels [bench: observed_errors]
-  core::Positive least_observed = 3e-4;  ///< least error of such a number [bench: observed_errors]
-  core::Positive least_of_two_levels = 2e-3;  ///< least error with two levels [bench: observed_errors]
+  core::Positive slowest_order_of_observed = 0.32;  ///< lowest order of such an integral that is believed
+  core::Positive order_of_two_levels = 1.0;  ///< order of an integral with two levels [bench: observed_errors]
+  core::Positive least_observed = 3e-4;  ///< least error of an integral [bench: observed_errors]
+  core::Positive least_of_two_levels = 2e-3;  ///< least error of an integral with two levels [bench: observed_errors]
   core::Positive growing_change = 1.1;  ///< growth of changes without an estimate [bench: observed_errors]
   core::Positive small_change = 1e-3;  ///< relative change that may grow [bench: observed_errors]
   core::Positive order_of_supply = 1.0;  ///< assumed order of convergence of a supply

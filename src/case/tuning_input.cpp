@@ -9,7 +9,7 @@
 namespace ehl::program {
 namespace {
 
-constexpr const char* section = "tuning";
+constexpr const char* section_of_tuning = "tuning";
 
 // Calls act(name of the module, table of its numbers, its member of TunedNumbers) for every module.
 template <class Act>
@@ -37,14 +37,14 @@ deck::Range range_of(core::Tunable kind, double standard) {
   return {1.0, most};
 }
 
-std::string said(const core::Retuned& number) {
+std::string as_set(const core::Retuned& number) {
   return number.name + " = " + deck::shortest(number.value) + " (default " + deck::shortest(number.default_value) + ")";
 }
 
 }  // namespace
 
 deck::Section tuning_section() {
-  return {.name = section,
+  return {.name = section_of_tuning,
           .meaning =
               "Numbers of the numerical method that were chosen by experience. All tests and error bars belong to "
               "the defaults; a result with other values carries a warning.",
@@ -68,14 +68,14 @@ std::vector<deck::Key> tuning_keys() {
                       .needs = needs});
     }
   });
-  return deck::in_section(section, std::move(keys));
+  return deck::in_section(section_of_tuning, std::move(keys));
 }
 
 TunedNumbers read_tuning(const deck::Deck& deck) {
   TunedNumbers numbers;
   for_modules([&](const std::string& module, const auto& table, auto member) {
     for (const auto& number : table)
-      if (const double given = deck::number(deck, section, module + "." + number.name); !std::isnan(given))
+      if (const double given = deck::number(deck, section_of_tuning, module + "." + number.name); !std::isnan(given))
         number.set(numbers.*member, given);
   });
   return numbers;
@@ -96,7 +96,7 @@ std::optional<core::Warning> tuning_warning(const TunedNumbers& numbers) {
   const std::vector<core::Retuned> changed = retuned(numbers);
   if (changed.empty()) return std::nullopt;
   std::vector<std::string> names;
-  for (const core::Retuned& one : changed) names.push_back(said(one));
+  for (const core::Retuned& one : changed) names.push_back(as_set(one));
   return core::Warning{"tuning", "the tuned numbers are not the tested ones: " + deck::joined(names, ", ") +
                                      "; error bars and checks may not hold; remove [tuning] for the defaults"};
 }
@@ -105,7 +105,7 @@ std::string tuning_lines(const TunedNumbers& numbers) {
   const std::vector<core::Retuned> changed = retuned(numbers);
   if (changed.empty()) return "Tuned numbers: all at their defaults\n";
   std::string text = "Tuned numbers that differ from their defaults\n";
-  for (const core::Retuned& one : changed) text += "  " + said(one) + "\n";
+  for (const core::Retuned& one : changed) text += "  " + as_set(one) + "\n";
   return text;
 }
 

@@ -38,7 +38,7 @@ std::vector<core::Retuned> retuned(const TunedNumbers& numbers);
 /// The warning that numbers differ from those that were tested; nothing if none does.
 std::optional<core::Warning> tuning_warning(const TunedNumbers& numbers);
 
-/// The same for a person who looks at the times: the numbers that differ, or that none does.
+/// Lines for the report: the numbers that differ from their defaults, or that none does.
 std::string tuning_lines(const TunedNumbers& numbers);
 
 }  // namespace ehl::program

@@ -8,9 +8,9 @@ namespace ehl::heat {
 struct Tuning {
   // Passes (passes.cpp)
   core::Share least_weight = 0.1;  ///< smallest under-relaxation factor
-  core::Share half_of_it = 0.5;  ///< share of the expected fall below which the factor decreases [bench: heat_weights]
-  core::Reduction less = 0.7;  ///< factor by which it decreases [bench: heat_weights]
-  core::Positive more = 1.3;  ///< factor by which it increases [bench: heat_weights]
+  core::Share half_of_it = 0.5;  ///< share of the expected fall that keeps the under-relaxation [bench: heat_weights]
+  core::Reduction less = 0.7;  ///< factor on under-relaxation that falls [bench: heat_weights]
+  core::Positive more = 1.3;  ///< factor on under-relaxation that grows [bench: heat_weights]
   core::Share least_q = 0.25;  ///< least contraction factor of the iteration [bench: heat_contraction_factor]
   core::Reduction most_q = 0.9;  ///< largest contraction factor of the iteration [bench: heat_contraction_factor]
   core::Positive unknown_error = 1e-2;  ///< assumed discretization error on a single grid [bench: heat_errors]
@@ -18,7 +18,7 @@ struct Tuning {
   core::Positive least_mu = 1e-6;  ///< friction that counts as zero [bench: heat_zero]
   core::Positive least_theta = 1e-6;  ///< temperature rise over T0 that counts as zero [bench: heat_zero]
   core::Reduction back_off = 0.8;  ///< damping of the cycles if no under-relaxation helps
-  core::Share least_damping = 0.5;  ///< lower limit of this damping [bench: heat_back_off]
+  core::Share least_damping = 0.5;  ///< lower limit of back_off [bench: heat_back_off]
   core::Share enough_of_a_pass = 0.5;  ///< factor on the residual at which a pass ends [bench: heat_cycles_of_a_pass]
   core::Count most_cycles = 4;  ///< most cycles of a pass [bench: heat_cycles_of_a_pass]
   core::Count quick = 3;  ///< first passes, with one sweep of the temperature [bench: heat_slow_sweeps]
@@ -33,7 +33,7 @@ struct Tuning {
   core::Share gentle = 0.25;  ///< first under-relaxation factor of a second attempt
 
   // Error bars (report.cpp, solve.cpp)
-  core::Positive order_of_two_grids = 1.0;  ///< order with two grids
+  core::Positive order_of_two_grids = 1.0;  ///< order of temperatures with two grids
   core::Positive wider = 1.5;  ///< safety factor on the errors of temperatures [bench: heat_order_of_two_grids]
   core::Positive least_bar = 1e-3;  ///< least error of a temperature [bench: heat_errors]
   core::Positive grows_on = 2.0;  ///< further rise under a spike over its last rise [bench: heat_behind_spike]
