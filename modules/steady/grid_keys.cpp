@@ -113,8 +113,10 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
     far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);
   const bool roller = contact::roller(groups.shape);
   if (contact::line(groups.shape))
-    domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
-                                     : "has no influence on a line contact, which has no sides: remove it");
+    domain.refuse({"y_half"},
+                  roller ? "is half of the roller's length, where the gap ends: remove it"
+                         : "has no influence on a line contact, which has no sides: remove it",
+                  deck::Cause::idle);
   domain.fill("x_outlet", wider * chosen_outlet(groups.M, groups.L, groups.shape, far_field),
               "downstream of the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");

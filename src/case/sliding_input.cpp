@@ -22,7 +22,8 @@ bool possible(deck::Deck& deck, const Physics& physics, const char* section, con
   if (physics.language == Language::moes && !given(deck, "contact", "a_over_R") && !said)
     complain(deck, "contact", "a_over_R",
              std::string("is missing: M and L do not determine it, and [") + section + "] " + key +
-                 " needs it; or give the contact in SI");
+                 " needs it; or give the contact in SI",
+             deck::Cause::missing);
   return deck.errors.empty();
 }
 
