@@ -6,6 +6,7 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
+#include "base/text_format.hpp"
 #include "case/numbers/number.hpp"
 #include "core/timer.hpp"
 #include "deck/text.hpp"
@@ -46,8 +47,10 @@ results::Content content_without_solution(const Case& input, Computed& computed,
 
 std::string printed(const Case& input, const Computed& computed, bool profile) {
   std::string text = "case         " + input.title + "\n" + solver_of(input).summary(input, computed);
-  for (const Effect& effect : effects_of(input))
+  for (const Effect& effect : effects_of(input)) {
     if (effect.summary) text += effect.summary(input, computed);
+    if (effect.warnings) text += warning_lines(effect.warnings(input, computed));
+  }
   text += effect_times(input, computed);
   if (profile && computed.in_time)
     text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
