@@ -1,13 +1,13 @@
 #include "case/film_solution.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
-#include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "rheology/range.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/layer_error.hpp"
 #include "steady/passes.hpp"
@@ -48,15 +48,13 @@ void take_friction(const Case& input, const steady::Solution& film, HeatResult& 
   result.friction_warnings = friction::warnings(friction);
 }
 
-// The remedy if no film with heat was found. in: the isothermal film.
-std::string advice_for_undone(const Case& input, const steady::Solution& before) {
-  const Physics& physics = input.physics;
-  const double eta0 = physics.si ? physics.si->contact.eta0 : std::nan("");
-  const double P_max = core::maximum(before.P).value;
-  if (!rheology::glass(physics.viscosity, {.P_max = P_max, .p_h = physics.p_h, .eta0 = eta0}))
-    return "; use more cells, or less sliding";
-  return "; at this pressure the oil is a glass, which shears as a solid, and more cells do not help: reduce the load "
-         "or the sliding, or give [shear] law and [friction] limit";
+// The remedy if no film with heat was found. in: friction of the isothermal film.
+std::string advice_for_undone(const friction::Friction& isothermal) {
+  if (isothermal.thinned || !friction::exceeds_any_oil(isothermal)) return "; use more cells, or less sliding";
+  return fmt::format(
+      "; a Newtonian oil would carry more than {:.2f} p on {:.0f} % of the load, as no oil does, and this "
+      "heats it without bound: give [shear] law. More cells do not help, nor does [friction] limit alone",
+      friction::largest_limit, 100.0 * isothermal.unlikely_share);
 }
 
 // Solves the isothermal film, then the film with heat or flow thinning; only the former if it does not converge.
@@ -71,7 +69,7 @@ FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const 
   result.mu_isothermal = isothermal_friction.sliding;
   result.unlikely_isothermal = friction::unlikely(isothermal_friction);
   result.found = heat::solve(scene, setup_of(input), before, multigrid::part_of(progress, share_of_isothermal, 1.0));
-  if (result.found.undone) result.found.film.failed_check += advice_for_undone(input, before);
+  if (result.found.undone) result.found.film.failed_check += advice_for_undone(isothermal_friction);
   const std::optional<steady::Starvation> isothermal = before.starvation;
   solution.film = std::move(result.found.film);
   solution.film.starvation = isothermal;
