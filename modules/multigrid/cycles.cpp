@@ -120,6 +120,10 @@ Parameters cautious(const Parameters& parameters, const Damping& damping) {
   Parameters used = parameters;
   used.relaxation = lighter(used.relaxation, damping.all);
   used.relaxation.weight_single_steep *= damping.steep;
+  if (damping.weighted) {
+    used.weighted_corrections = true;
+    if (used.cycle == Cycle::F) used.cycle = Cycle::W;
+  }
   if (damping.relax_after) used.post = std::max(1, used.post.value_or(1));
   return used;
 }
@@ -217,6 +221,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       more_careful({now.residual});
     } else if (rough && !across && !stretched && can_relax_across(hierarchy, hierarchy.levels[l])) {
       across = true;
+      needed.weighted |= criterion.aim != judgement::Aim::first_start;
       more_careful({now.residual});
     }
     const std::size_t taken = residuals.size();

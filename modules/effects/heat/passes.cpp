@@ -192,7 +192,10 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     weight *= 0.5;
     run.damping = damping;
     if (weight >= least_weight) continue;
-    run.damping = {.all = back_off * damping.all, .steep = back_off * damping.steep, .relax_after = true};
+    run.damping = {.all = back_off * damping.all,
+                   .steep = back_off * damping.steep,
+                   .relax_after = true,
+                   .weighted = damping.weighted};
     if (run.damping.all < least_damping) return result;
     weight = 1.0;
   }
