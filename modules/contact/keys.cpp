@@ -194,7 +194,7 @@ Bodies read_bodies(const deck::Part& contact) {
   if (contact.given("E_prime"))
     contact.refuse(moduli, "E_prime is given as well: keep either E_prime or E1, nu1, E2, nu2");
   else if (moduli.empty())
-    contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2");
+    contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2", deck::Cause::missing);
   else
     contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
   const double E_prime = contact.given("E_prime")
@@ -238,15 +238,17 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& i
         {"radius_y", "radius_ratio"},
         line ? "has no influence on a line contact, which is straight across the motion: remove it, or remove kind = "
                "line"
-             : "has no influence on a roller, whose shape across the motion is the profile of [roller]: remove it");
-    motion.refuse({"angle"}, "has no influence on a " + kind + " contact: remove it");
+             : "has no influence on a roller, whose shape across the motion is the profile of [roller]: remove it",
+        deck::Cause::idle);
+    motion.refuse({"angle"}, "has no influence on a " + kind + " contact: remove it", deck::Cause::idle);
     if (line) return line_contact();
     const double length = read_length(contact, input);
     return contact.deck.errors.empty() ? roller_contact(length) : line_contact();
   }
   const double ratio = read_radius_ratio(contact, language);
   if (ratio == 1.0)
-    motion.refuse({"angle"}, "has no influence on a circular contact: remove it, or give radius_ratio or radius_y");
+    motion.refuse({"angle"}, "has no influence on a circular contact: remove it, or give radius_ratio or radius_y",
+                  deck::Cause::idle);
   if (!contact.deck.errors.empty() || std::isnan(ratio) || ratio == 1.0) return {};
   motion.fill("angle", 0.0, "along radius_x");
   return ellipse(ratio, motion.number("angle"));
@@ -282,7 +284,8 @@ Input read(deck::Deck& deck, bool slides) {
       contact.refuse({"Sq1", "Sq2"}, "is in metres and needs a contact in SI: remove it");
     if (input.language != Language::moes || !slides)
       contact.refuse({"a_over_R"},
-                     "has no influence: it is used only with M and L, and with [shear] or [friction]; remove it");
+                     "has no influence: it is used only with M and L, and with [shear] or [friction]; remove it",
+                     deck::Cause::idle);
   }
   read_motion(motion, slides, input);
   input.shape = read_shape(contact, motion, input);

@@ -44,17 +44,18 @@ namespace {
 void check_motion(const deck::Part& motion, Language language, bool slides) {
   if (language != Language::si) {
     const std::string why = "has no influence: a dimensionless contact already contains the speed; remove it";
-    motion.refuse({"u1", "u2", "u_m"}, why);
-    if (!slides) motion.refuse({"srr"}, why);
+    motion.refuse({"u1", "u2", "u_m"}, why, deck::Cause::idle);
+    if (!slides) motion.refuse({"srr"}, why, deck::Cause::idle);
     return;
   }
   if (motion.given("u_m")) {
     motion.refuse({"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
     return;
   }
-  motion.refuse({"srr"}, "has no influence: it is used only with u_m; give u_m instead of u1 and u2, or remove it");
+  motion.refuse({"srr"}, "has no influence: it is used only with u_m; give u_m instead of u1 and u2, or remove it",
+                deck::Cause::idle);
   if (motion.given_of({"u1", "u2"}).empty()) {
-    motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2");
+    motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2", deck::Cause::missing);
     return;
   }
   motion.demand({"u1", "u2"}, "u1 and u2 belong together (or give u_m)");

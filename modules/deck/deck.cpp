@@ -35,13 +35,6 @@ std::string origin_of(const Deck& deck, const std::string& section) {
   return (heading == deck.headings.end() ? deck.name : heading->place) + ": [" + section + "]: ";
 }
 
-// Cause of an error from the standard beginning of its message.
-Cause cause_of(const std::string& what) {
-  if (what.starts_with("is missing")) return Cause::missing;
-  if (what.find("has no influence") != std::string::npos) return Cause::idle;
-  return Cause::between;
-}
-
 }  // namespace
 
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue) {
@@ -164,10 +157,6 @@ void compute(Deck& deck, const std::string& section, const std::string& name, co
   value_of(deck, section, name).from = from;
 }
 
-void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
-  complain(deck, section, name, what, cause_of(what));
-}
-
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause) {
   const Value& found = value(deck, section, name);
   if (!found.from.empty()) {
@@ -208,11 +197,11 @@ std::vector<std::string> Part::given_of(const std::vector<std::string>& names) c
 
 void Part::demand(const std::vector<std::string>& names, const std::string& why) const {
   for (const std::string& name : names)
-    if (!given(name)) complain(name, "is missing: " + why);
+    if (!given(name)) complain(name, "is missing: " + why, Cause::missing);
 }
 
-void Part::refuse(const std::vector<std::string>& names, const std::string& why) const {
-  for (const std::string& name : given_of(names)) complain(name, why);
+void Part::refuse(const std::vector<std::string>& names, const std::string& why, Cause cause) const {
+  for (const std::string& name : given_of(names)) complain(name, why, cause);
 }
 
 }  // namespace ehl::deck

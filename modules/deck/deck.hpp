@@ -115,10 +115,9 @@ void compute(Deck& deck, const std::string& section, const std::string& name, co
 void check_influence(Deck& deck);
 
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>". For a computed number the message begins with its origin:
-/// the keys of that section on the command line, else the heading of the section. Without `cause`, the cause follows
-/// from the words "is missing" and "has no influence".
-void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
-void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause);
+/// the keys of that section on the command line, else the heading of the section.
+void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what,
+              Cause cause = Cause::between);
 
 /// Adds an error with its cause.
 void add_error(Deck& deck, Cause cause, const std::string& text);
@@ -160,8 +159,7 @@ struct Part {
     fill(name, value, why);
     mark_following(deck, section, name);
   }
-  void complain(const std::string& name, const std::string& what) const { deck::complain(deck, section, name, what); }
-  void complain(const std::string& name, const std::string& what, Cause cause) const {
+  void complain(const std::string& name, const std::string& what, Cause cause = Cause::between) const {
     deck::complain(deck, section, name, what, cause);
   }
 
@@ -169,7 +167,7 @@ struct Part {
   std::vector<std::string> given_of(const std::vector<std::string>& names) const;
   /// Report each of the names that the deck does not give (demand) or gives (refuse).
   void demand(const std::vector<std::string>& names, const std::string& why) const;
-  void refuse(const std::vector<std::string>& names, const std::string& why) const;
+  void refuse(const std::vector<std::string>& names, const std::string& why, Cause cause = Cause::between) const;
 };
 
 }  // namespace ehl::deck

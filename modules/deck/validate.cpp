@@ -212,7 +212,8 @@ void check_value(Deck& deck, const Key& key, Value& value) {
 void check_influence_of(Deck& deck, const Key& key) {
   if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
   const auto nothing_without = [&](const std::string& what) {
-    complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it");
+    complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it",
+             Cause::idle);
   };
   if (!called_for(deck, key.section)) {
     nothing_without(joined(find_section(deck.catalogue, key.section)->called_by, " or "));
@@ -226,7 +227,8 @@ void check_influence_of(Deck& deck, const Key& key) {
   else if (other.valid)
     complain(deck, key.section, key.name,
              "has no influence with " + name + " = " + other.text + ": remove it, or set " + name + " = " +
-                 joined(key.needs.words, " or "));
+                 joined(key.needs.words, " or "),
+             Cause::idle);
 }
 
 }  // namespace

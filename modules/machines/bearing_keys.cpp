@@ -100,7 +100,7 @@ std::vector<deck::Key> speed_keys() {
 
 Turning read_turning(const deck::Part& bearing) {
   const std::vector<std::string> given = bearing.given_of({"rpm_inner", "rpm_outer", "rpm_cage"});
-  if (given.empty()) bearing.complain("rpm_inner", "is missing: give the speed of a ring");
+  if (given.empty()) bearing.complain("rpm_inner", "is missing: give the speed of a ring", deck::Cause::missing);
   if (given.size() == 3) bearing.complain("rpm_cage", "follows from rpm_inner and rpm_outer: keep two of the three");
   if (given == std::vector<std::string>{"rpm_cage"})
     bearing.complain(
@@ -114,7 +114,8 @@ Turning read_turning(const deck::Part& bearing) {
 void check_load(const deck::Part& bearing, bool ball) {
   const bool load = bearing.given("load"), radial = bearing.given("radial_load");
   if (load && radial) bearing.complain("radial_load", "load is given as well: keep one of them");
-  if (!load && !radial) bearing.complain("load", "is missing: give it, or radial_load and elements");
+  if (!load && !radial)
+    bearing.complain("load", "is missing: give it, or radial_load and elements", deck::Cause::missing);
   if (!radial) return;
   bearing.demand({"elements"}, "the number of balls or rollers that carry the radial load");
   if (ball && bearing.number("contact_angle") > 0.0)  // a roller has no contact angle, which is reported elsewhere

@@ -77,7 +77,8 @@ void demand_all(const deck::Part& gear) {
   gear.demand({"module", "teeth1", "teeth2", "face_width", "rpm1"}, "the contact is computed from it");
   if (gear.given("power") && gear.given("torque1"))
     gear.complain("torque1", "power is given as well: keep one of them");
-  if (!gear.given("power") && !gear.given("torque1")) gear.complain("power", "is missing: give it, or torque1");
+  if (!gear.given("power") && !gear.given("torque1"))
+    gear.complain("power", "is missing: give it, or torque1", deck::Cause::missing);
 }
 
 // in: wheel, "1" or "2".
@@ -122,9 +123,11 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
 // Checks the pitch point, which is the position if the deck gives none.
 void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
   if (path.C >= path.A && path.C <= path.E) return;
-  gear.complain("position", fmt::format("is missing: its default, the pitch point, is not on the path of contact but "
-                                        "at {:.4g} of it, where the teeth do not touch; give a position of 0 to 1",
-                                        (path.C - path.A) / (path.E - path.A)));
+  gear.complain("position",
+                fmt::format("is missing: its default, the pitch point, is not on the path of contact but "
+                            "at {:.4g} of it, where the teeth do not touch; give a position of 0 to 1",
+                            (path.C - path.A) / (path.E - path.A)),
+                deck::Cause::missing);
 }
 
 std::vector<Number> path_numbers(const PathOfContact& path) {

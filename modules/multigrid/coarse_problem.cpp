@@ -173,15 +173,16 @@ void prolong_by_coupling(const Level& fine, double elastic, const core::Field& c
 }
 
 // Bilinear; weighted by face conductances (linear where epsilon is constant) where the top of a spike may have its
-// flank on the next line: on stretched cells and in oblique contacts. There the coarse grid changes points at the top
-// of the spike by large amounts, since their own equations hardly respond. Half of such a change is far too much for
-// a point next to them whose epsilon is orders larger. [bench: weighted_interpolation]
-void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const core::Field& coarse,
+// flank on the next line: on stretched cells, in oblique contacts, and where cycles were slow (`weighted`). There the
+// coarse grid changes points at the top of the spike by large amounts, since their own equations hardly respond. Half
+// of such a change is far too much for a point next to them whose epsilon is orders larger. [bench:
+// weighted_interpolation]
+void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const core::Field& coarse, bool weighted,
                         core::Field& correction) {
   const int threads = hierarchy.threads_on(fine.grid);
   const double elastic = elastic_coupling(hierarchy, fine);
   const bool across_alone = coarse.nodes_x() == correction.nodes_x();
-  if (fine.grid.domain.line || !(across_alone || hierarchy.problem.geometry.gap.oblique()))
+  if (fine.grid.domain.line || !(weighted || across_alone || hierarchy.problem.geometry.gap.oblique()))
     transfer::prolong_bilinear(coarse, correction, threads);
   else if (at_half_points(fine))
     prolong_by_coupling<reynolds::Face::logmean>(fine, elastic, coarse, threads, correction);
@@ -247,13 +248,13 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);
 }
 
-void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
+void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine, bool weighted) {
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
     core::Field& correction = coarse.correction;
     core::set_nodes(coarse.grid, correction, [&](int i, int j) { return coarse.P(i, j) - coarse.finer->P(i, j); });
-    prolong_correction(hierarchy, fine, correction, fine.correction);
+    prolong_correction(hierarchy, fine, correction, weighted, fine.correction);
     // Points whose residual was not restricted get no correction.
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,
                               left_to_relaxation(fine, coarse));

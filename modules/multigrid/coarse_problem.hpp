@@ -17,9 +17,9 @@ namespace ehl::multigrid {
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse);
 
 /// fine.P += interpolation of (coarse.P - coarse.finer->P), limited to P >= 0, except in cavitated points and next
-/// to them; then the film. The interpolation is bilinear, but weighted by the face conductances on stretched cells and
-/// for oblique contacts. Overwrites the correction of both levels.
-void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
+/// to them; then the film. The interpolation is bilinear, but weighted by the face conductances on stretched cells,
+/// for oblique contacts, and if `weighted`. Overwrites the correction of both levels.
+void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine, bool weighted);
 
 /// Full weighting of a residual with weights that follow the coupling: a point half-way between two coarse points gives
 /// each a share proportional to e + `elastic_coupling`, e = epsilon/h^2 at the half point towards it. Where epsilon is

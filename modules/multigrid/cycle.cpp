@@ -81,7 +81,7 @@ void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, 
   const bool again = corrector_of(hierarchy, coarse) != nullptr && !once(level, coarse);
   if (kind == Cycle::W && again) cycle(hierarchy, coarse, Cycle::W, coarsest_sweeps, how);
   if (kind == Cycle::F && again) cycle(hierarchy, coarse, Cycle::V, coarsest_sweeps, how);
-  correct_from_coarse(hierarchy, coarse, level);
+  correct_from_coarse(hierarchy, coarse, level, how.weighted_corrections);
   for (int sweep = 0; sweep < how.post.value_or(1); ++sweep) relax(hierarchy, level, how.relaxation);
 }
 

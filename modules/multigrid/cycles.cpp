@@ -97,6 +97,10 @@ Parameters cautious(const Parameters& parameters, const Damping& damping) {
   Parameters used = parameters;
   used.relaxation = lighter(used.relaxation, damping.all);
   used.relaxation.weight_single_steep *= damping.steep;
+  if (damping.weighted) {
+    used.weighted_corrections = true;
+    if (used.cycle == Cycle::F) used.cycle = Cycle::W;
+  }
   if (damping.relax_after) used.post = std::max(1, used.post.value_or(1));
   return used;
 }
@@ -195,6 +199,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       more_careful({now.residual});
     } else if (rough && !across && !stretched && can_relax_across(hierarchy, hierarchy.levels[l])) {
       across = true;
+      needed.weighted |= criterion.aim != judgement::Aim::first_start;
       more_careful({now.residual});
     }
     // Stalled: the residual does not even halve in some cycles. Poor: it exceeds a share both of the residual one cycle

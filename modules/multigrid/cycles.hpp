@@ -14,6 +14,9 @@ struct Damping {
   double all = 1.0;          ///< factor on every under-relaxation weight
   double steep = 1.0;        ///< further factor on that of single changes where epsilon is steep
   bool relax_after = false;  ///< one relaxation after the correction if the parameters have none
+  /// Corrections weighted by face conductances, and W instead of F cycles. A slow cycle above the first grid asks for
+  /// them: the top of the spike and its flank then lie on neighbouring nodes. [bench: weighted_interpolation]
+  bool weighted = false;
 };
 /// The parameters with this damping.
 Parameters cautious(const Parameters& parameters, const Damping& damping);
@@ -37,8 +40,8 @@ struct CyclesResult {
 /// FAS cycles on level l, from its present state, until the criterion holds; with Aim::solution and the mass-conserving
 /// cavitation model until the global oil balance holds as well. Remedies:
 /// - a slow cycle (Tuning::rough_factor): a relaxation after the correction if there is none, else on square cells a Y
-/// sweep;
-///   from then on Krylov acceleration (acceleration.hpp), where can_relax_across() [bench: krylov_states];
+///   sweep and, above the first grid, weighted corrections and W cycles; from then on Krylov acceleration
+///   (acceleration.hpp), where can_relax_across() [bench: krylov_states];
 /// - a residual that rises or hardly falls: a smaller weight where epsilon is steep, then smaller weights everywhere;
 /// - a state that is not finite, or hopeless: back to the initial state, with smaller weights everywhere; if none of
 ///   them help, the level is left in its initial state;

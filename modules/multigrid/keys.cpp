@@ -15,7 +15,7 @@ std::vector<deck::Key> keys() {
         .default_note =
             "F if the discretization error decides (V for a line contact), W with a tolerance or on stretched cells",
         .words = {"V", "W", "F"},
-        .meaning = "Shape of the multigrid cycle.",
+        .meaning = "Shape of the multigrid cycle. F becomes W above the first grid if the residual falls too slowly.",
         .source = "Venner and ten Napel 1992: W at high loads"},
        {.name = "pre",
         .type = Type::integer,

@@ -65,7 +65,9 @@ struct Parameters {
   double load_relaxation = 0.1;   ///< c of eq. (26)
   int settling_sweeps = 2;        ///< relaxations of an interpolated solution, with epsilon as the mean of the nodes
   double settling_weight = 1.0;   ///< factor on the weights in these relaxations
-  bool extend_boundary = false;   ///< point contacts, too: extend boundary changes into the domain after a cycle
+  /// Corrections are weighted by face conductances on every grid, not only where coarse_problem.hpp says so.
+  bool weighted_corrections = false;
+  bool extend_boundary = false;  ///< point contacts, too: extend boundary changes into the domain after a cycle
   RelaxationParameters relaxation;
   Tuning tuning;
   judgement::Tuning judgement;

@@ -86,7 +86,6 @@ struct Section {
 struct Volume {
   std::string group{};  ///< "/subsurface"; empty: none
   std::string meaning{};
-  std::string warnings{};        ///< one per line
   core::Grid grid{};             ///< of the planes: x and y of the group
   std::vector<double> depths{};  ///< z of the group
   std::vector<Series> series{};  ///< one field per depth

@@ -122,7 +122,7 @@ void section(List& list, const core::Grid& along, const Section& of) {
 
 void volume(List& list, const Volume& of) {
   if (of.group.empty()) return;
-  list.group(of.group, of.meaning, {{"warnings", of.warnings}});
+  list.group(of.group, of.meaning);
   grid(list, of.group, of.grid);
   axis(list, of.group + "/z", of.depths, "depth below the surface");
   for (const Series& one : of.series) series(list, of.group, one);

@@ -143,6 +143,7 @@ FarPoint FarField::toward(double cosine, double sine) const {
 FarPoint FarField::at(double X, double Y) const {
   if (line()) return {.X = X};
   const double r = std::hypot(X, Y);
+  if (r == 0.0) return {};  // no direction; the pressure of the wedge vanishes with r
   FarPoint point = toward(X / r, Y / r);
   point.wedge *= r;
   point.unruptured *= r;

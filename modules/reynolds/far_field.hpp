@@ -68,7 +68,7 @@ class FarField {
 
   /// at(): the data of a point, computed once. P(): the pressure there for a film H. It is zero where the film is
   /// ruptured, and NaN where the viscosity rises so fast that no pressure has this reduced one, far too close to the
-  /// contact. limits: not the origin.
+  /// contact. limits: no pressure at the origin.
   FarPoint at(double X, double Y) const;
   double P(const FarPoint& point, double H, const FarState& state) const;
   /// The pressure of the default state, which is steady.

@@ -35,13 +35,16 @@ void check_oil_temperature(const deck::Part& lubricant, const std::string& name)
                                          coldest_oil, hottest_oil));
 }
 
-// Reason why alpha_star or alpha_temperature is not allowed here; empty if it is.
-std::string why_no_alpha_star(const deck::Part& lubricant, const Oil& oil) {
-  if (lubricant.given("alpha")) return "alpha is given as well: keep one of them";
-  if (oil.viscosity != "barus" && oil.viscosity != "roelands")
-    return "has no influence with viscosity = " + oil.viscosity +
-           (oil.viscosity == "isoviscous" ? ": remove it" : ": the law has its own alpha*; remove it");
-  return {};
+// Refuses alpha_star and alpha_temperature where they are not allowed.
+void check_alpha_star(const deck::Part& lubricant, const Oil& oil) {
+  const Names both{"alpha_star", "alpha_temperature"};
+  if (lubricant.given("alpha"))
+    lubricant.refuse(both, "alpha is given as well: keep one of them");
+  else if (oil.viscosity != "barus" && oil.viscosity != "roelands")
+    lubricant.refuse(both,
+                     "has no influence with viscosity = " + oil.viscosity +
+                         (oil.viscosity == "isoviscous" ? ": remove it" : ": the law has its own alpha*; remove it"),
+                     deck::Cause::idle);
 }
 
 // Roelands' law from alpha* at `T_alpha`, where the viscosity is eta_alpha. z does not depend on the temperature.
@@ -126,13 +129,15 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
   const bool brings_eta0 = viscosity == "yasutomi" || viscosity == "table";
   if (brings_eta0)
     lubricant.refuse(of_data_sheet,
-                     "has no influence with viscosity = " + viscosity + ", which has its own constants: remove it");
+                     "has no influence with viscosity = " + viscosity + ", which has its own constants: remove it",
+                     deck::Cause::idle);
   bool any = false;
   for (const std::string& name : of_data_sheet) any = any || (has(lubricant, name) && !brings_eta0);
   if (!any && !lubricant.given("fluid") && viscosity != "yasutomi" && lubricant.given_of({"K00", "beta_K"}).empty())
     lubricant.refuse({"temperature"},
                      "has no influence: the constants are values at the temperature of the contact. Remove it, or give "
-                     "kv40, kv100 and density15 instead of eta0, or K00 and beta_K instead of K0");
+                     "kv40, kv100 and density15 instead of eta0, or K00 and beta_K instead of K0",
+                     deck::Cause::idle);
   if (!any) return std::nullopt;
   demand(lubricant, {"kv40", "kv100", "density15", "temperature"}, "an oil by its viscosities at two temperatures");
   if (lubricant.number("kv40") <= lubricant.number("kv100"))
@@ -146,16 +151,17 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
 }
 
 void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
-  const Names both{"alpha_star", "alpha_temperature"};
   if (!has(lubricant, "alpha_star")) {
-    lubricant.refuse({"alpha_temperature"}, "has no influence: it is used only with alpha_star; remove it");
+    lubricant.refuse({"alpha_temperature"}, "has no influence: it is used only with alpha_star; remove it",
+                     deck::Cause::idle);
     return;
   }
-  if (const std::string why = why_no_alpha_star(lubricant, oil); !why.empty()) lubricant.refuse(both, why);
+  check_alpha_star(lubricant, oil);
   const bool roelands = oil.viscosity == "roelands";
   if (!oil.ambient || !roelands)
     lubricant.refuse({"alpha_temperature"},
-                     "has no influence: it is used only with kv40, kv100 and viscosity = roelands; remove it");
+                     "has no influence: it is used only with kv40, kv100 and viscosity = roelands; remove it",
+                     deck::Cause::idle);
   else if (!has(lubricant, "alpha_temperature"))
     lubricant.choose("alpha_temperature", oil.ambient->T, "the temperature of the contact");
   check_oil_temperature(lubricant, "alpha_temperature");

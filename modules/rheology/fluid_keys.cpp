@@ -78,7 +78,7 @@ void settle_at_temperature(const deck::Part& lubricant, const std::string& name,
 void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {
   for (const std::string& name : names)
     if (deck::value(lubricant.deck, lubricant.section, name).origin == deck::Origin::absent)
-      lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "));
+      lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "), deck::Cause::missing);
 }
 
 void choose_fluid(const deck::Part& lubricant) {
@@ -103,8 +103,10 @@ void choose_fluid(const deck::Part& lubricant) {
   if (lubricant.word("viscosity") == "roelands") set.emplace_back("z");
   for (const deck::Key& key : lubricant.deck.catalogue.keys)
     if (key.section == lubricant.section && key.name != "fluid" && std::ranges::find(set, key.name) == set.end())
-      lubricant.refuse({key.name}, "has no influence: " + why + " sets its laws and constants (" +
-                                       deck::joined(set, ", ") + "); remove it, or give the oil by its constants");
+      lubricant.refuse({key.name},
+                       "has no influence: " + why + " sets its laws and constants (" + deck::joined(set, ", ") +
+                           "); remove it, or give the oil by its constants",
+                       deck::Cause::idle);
 }
 
 }  // namespace ehl::rheology

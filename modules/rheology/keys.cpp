@@ -37,7 +37,7 @@ std::vector<deck::Key> law_keys() {
       {.name = "z",
        .default_note =
            "alpha p0/(ln eta0 + 9.67) if eta0 is given, else 0.68; with alpha_star: chosen so that alpha* is met",
-       .range = {0.05, 1.5},
+       .range = {least_z, 1.5},
        .remedy = "mineral oils have 0.5 to 0.7",
        .meaning = "Exponent z of Roelands' law.",
        .source = "Roelands 1966: alpha p0/z = ln eta0 + 9.67",

@@ -46,8 +46,9 @@ void check_constants(const deck::Part& lubricant, const std::string& viscosity, 
   const std::string laws = "has no influence with viscosity = " + viscosity + " and density = " + density;
   if (!tait && viscosity != "doolittle")
     for (const Names& names : {bulk_modulus, bulk_modulus_of_T})
-      lubricant.refuse(names, laws + ": remove it, or set density = tait or murnaghan");
-  if (!tabulated) lubricant.refuse({"table"}, laws + ": remove it, or set viscosity = table or density = table");
+      lubricant.refuse(names, laws + ": remove it, or set density = tait or murnaghan", deck::Cause::idle);
+  if (!tabulated)
+    lubricant.refuse({"table"}, laws + ": remove it, or set viscosity = table or density = table", deck::Cause::idle);
   const double Tg0 = lubricant.number("Tg0");
   if (viscosity == "yasutomi" && lubricant.number("temperature") <= Tg0)
     lubricant.complain("temperature", "must be above the glass transition at ambient pressure, Tg0 = " +

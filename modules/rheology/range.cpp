@@ -24,6 +24,12 @@ std::string state_of_oil(const Loading& loading, double log_eta, double alpha_ba
 
 void judge(Isoviscous, const Loading&, core::Warnings&) {}
 
+// False if the viscosity rises too little with pressure for Roelands' law, which refuses such a liquid.
+bool has_roelands_z(const Barus& law, const Loading& loading) {
+  const double z = law.alpha_bar / loading.p_h * roelands_p0 / roelands_log_ratio(loading.eta0);
+  return !(z < least_z);  // also for an unknown oil
+}
+
 void judge(const Barus& law, const Loading& loading, core::Warnings& found) {
   const double log_eta = law.alpha_bar * loading.P_max;
   const double p_max = loading.P_max * loading.p_h;
@@ -34,8 +40,9 @@ void judge(const Barus& law, const Loading& loading, core::Warnings& found) {
                                                 barus_log_viscosity, gigapascals(barus_pressure));
   found.push_back(
       {"viscosity-range", fmt::format("Barus' law is used outside its range: {}; it follows measured viscosities {} "
-                                      "and gives far too high ones above. Use viscosity = roelands",
-                                      state_of_oil(loading, log_eta, law.alpha_bar), range)});
+                                      "and gives far too high ones above. Use viscosity = {}",
+                                      state_of_oil(loading, log_eta, law.alpha_bar), range,
+                                      has_roelands_z(law, loading) ? "roelands" : "table")});
 }
 
 double log_viscosity_of_glass(const Loading& loading) {
@@ -47,10 +54,6 @@ bool is_glass(const Roelands& law, const Loading& loading) {
 }
 bool is_glass(const Doolittle& law, const Loading& loading) { return loading.P_max > law.u_glass / law.p_h_over_K0; }
 bool is_glass(const Yasutomi& law, const Loading& loading) { return loading.P_max > law.p_glass / law.p_h; }
-template <class Other>
-bool is_glass(const Other&, const Loading&) {
-  return false;
-}
 
 void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
   const double log_eta = log_viscosity_at(law, loading.P_max);
@@ -133,10 +136,6 @@ core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& den
   std::visit([&](const auto& law) { judge(law, loading, found); }, viscosity);
   std::visit([&](const auto& law) { judge(law, loading, found); }, density);
   return found;
-}
-
-bool glass(const ViscosityLaw& viscosity, const Loading& loading) {
-  return std::visit([&](const auto& law) { return is_glass(law, loading); }, viscosity);
 }
 
 }  // namespace ehl::rheology

@@ -32,15 +32,13 @@ inline constexpr double dowson_higginson_pressure = 2e9;
 
 /// Warnings about a law at the highest pressure, each one sentence with p_max, alpha_bar P, ln(eta/eta0) and the range;
 /// empty if all laws are within their ranges:
-///   Barus: p_max above barus_pressure; for an unknown p_h, ln(eta/eta0) above barus_log_viscosity.
+///   Barus: p_max above barus_pressure; for an unknown p_h, ln(eta/eta0) above barus_log_viscosity. It
+///     recommends Roelands' law, or a table of measured viscosities for a liquid that this law does not describe.
 ///   Roelands: viscosity above that of a glass, or p_max above roelands_pressure.
 ///   Doolittle and Yasutomi: a glass, for which the law is continued along its tangent.
 ///   Tables: p_max above the last pressure.
 ///   Dowson and Higginson: p_max above dowson_higginson_pressure.
 /// limits: isoviscous, incompressible, Tait and Murnaghan have no pressure range.
 core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading);
-
-/// True where the oil is a glass at the highest pressure: by the laws of which the list above says so.
-bool glass(const ViscosityLaw& viscosity, const Loading& loading);
 
 }  // namespace ehl::rheology

@@ -60,7 +60,8 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
   if (given.empty()) {
     thermal.complain("beta",
                      "is missing: the viscosity must fall with temperature. Give beta, or T_second and eta_second, or "
-                     "vogel_B and vogel_C, or an oil by kv40 and kv100");
+                     "vogel_B and vogel_C, or an oil by kv40 and kv100",
+                     deck::Cause::missing);
     return std::nullopt;
   }
   const Names& used = thermal.given("beta") ? by_slope : thermal.given_of(by_second).empty() ? by_vogel : by_second;
@@ -97,9 +98,9 @@ void read_viscosity(const deck::Part& thermal, WarmOil& oil) {
     oil.constants.ambient = ambient_of(thermal, law == "roelands", oil.constants.T0);
   else
     for (const Names& names : {by_slope, by_second, by_vogel})
-      thermal.refuse(names, "has no influence with viscosity = " + law + ": remove it");
+      thermal.refuse(names, "has no influence with viscosity = " + law + ": remove it", deck::Cause::idle);
   if (law != "doolittle") {
-    thermal.refuse(of_volume, "has no influence with viscosity = " + law + ": remove it");
+    thermal.refuse(of_volume, "has no influence with viscosity = " + law + ": remove it", deck::Cause::idle);
     return;
   }
   const bool known = has(lubricant, "beta_K");

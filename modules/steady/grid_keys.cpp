@@ -111,8 +111,10 @@ void choose_domain(const Tuning& tuning, const deck::Part& domain, double accura
     far_field = std::fmin(tuning.error_of_closed_domain, tuning.share_of_accuracy * accuracy);
   const bool roller = contact::roller(contact.shape);
   if (contact::line(contact.shape))
-    domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
-                                     : "has no influence on a line contact, which has no sides: remove it");
+    domain.refuse({"y_half"},
+                  roller ? "is half of the roller's length, where the gap ends: remove it"
+                         : "has no influence on a line contact, which has no sides: remove it",
+                  deck::Cause::idle);
   domain.fill("x_outlet", wider * chosen_outlet(tuning, contact, far_field), "downstream of the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
   domain.fill("x_inlet", wider * chosen_inlet(tuning, contact, x_outlet / wider, far_field),

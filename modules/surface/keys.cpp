@@ -141,7 +141,8 @@ std::vector<Key> map_keys() {
 // A required length of a surface.
 double length_of(const deck::Part& surface, const std::string& name, const deck::PlainUnit& unit) {
   if (surface.given_of({name, name + unit.suffix}).empty())
-    surface.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI");
+    surface.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI",
+                     deck::Cause::missing);
   return surface.number_in(name, unit);
 }
 
@@ -169,7 +170,8 @@ MapInput read_map(const deck::Part& surface, const Units& units) {
   map.shortest_wave = wave("shortest_wave");
   map.plane = surface.word("levelling") != "mean";
   map.file = surface.word("file");
-  if (map.file.empty()) surface.complain("file", "is missing: give the measured heights, a text file or a .h5");
+  if (map.file.empty())
+    surface.complain("file", "is missing: give the measured heights, a text file or a .h5", deck::Cause::missing);
   map.dataset = surface.word("dataset");
   map.taper = surface.number("taper");
   return map;

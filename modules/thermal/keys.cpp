@@ -57,8 +57,10 @@ BodyInput read_body(const deck::Part& thermal, const std::string& number) {
   if (!thermal.given(solid)) {
     const std::vector<std::string> given = thermal.given_of(names);
     if (given.empty())
-      thermal.complain(solid, "is missing: name the material of body " + number + ", or give " + own[0] + ", " +
-                                  own[1] + " and " + own[2]);
+      thermal.complain(
+          solid,
+          "is missing: name the material of body " + number + ", or give " + own[0] + ", " + own[1] + " and " + own[2],
+          deck::Cause::missing);
     else if (given.size() < names.size())
       thermal.demand(names, "k, c and rho of a body belong together");
     return body;

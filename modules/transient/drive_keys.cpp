@@ -1,4 +1,6 @@
 // Keys of [transient] that are schedules, and all keys of [body].
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -145,6 +147,38 @@ Schedule schedule_of(const deck::Part& part, const std::string& key, double unit
   return schedule;
 }
 
+// The last time before (u1 + u2)/2 turns negative; infinite: it does not until the end.
+double reversal(const Conditions& conditions, double end) {
+  constexpr int samples = 4000;  // times between the stops, for the wave; a shorter dip is not seen
+  std::vector<double> times = stops_of(conditions, end);
+  for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
+  std::ranges::sort(times);
+  const auto backwards = [&](double T) { return drive_at(conditions, T).speed < 0.0; };
+  const auto found = std::ranges::find_if(times, backwards);
+  if (found == times.end()) return std::numeric_limits<double>::infinity();
+  double before = found == times.begin() ? 0.0 : *(found - 1), after = *found;
+  constexpr int halvings = 50;
+  for (int k = 0; k < halvings; ++k) (backwards(0.5 * (before + after)) ? after : before) = 0.5 * (before + after);
+  return before;
+}
+
+// The message about a reversal of the entrainment at a time in the unit of the deck, and what can be run instead.
+std::string reversed(const deck::Part& part, double time) {
+  const std::string unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
+  // Rounded down, so that a run with this end is accepted.
+  const double digits = std::pow(10.0, 4.0 - std::ceil(std::log10(std::fmax(time, 1e-300))));
+  const double end = std::floor(time * digits) / digits;
+  const std::string what = fmt::format(
+      "(u1 + u2)/2 turns negative after {:.6g} {}: the oil would then enter on the other side, which is not "
+      "available. ",
+      time, unit);
+  if (end <= 0.0) return what + "Reverse x and both speeds, so that the oil enters at negative x";
+  return what + fmt::format(
+                    "Run the strokes one by one: this one with end_time = {:g}, the return stroke in a deck of "
+                    "its own that begins after the reversal, with x and both speeds reversed",
+                    end);
+}
+
 }  // namespace
 
 void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions) {
@@ -154,7 +188,7 @@ void read_drive(const deck::Part& transient, double unit, const Scales& scales, 
   conditions.supply.factor = schedule_of(transient, "supply", unit, 1.0);
 }
 
-void check_drive(const deck::Part& part, const Conditions& conditions, double end) {
+void check_drive(const deck::Part& part, double unit, const Conditions& conditions, double end) {
   const std::optional<Body>& body = conditions.body;
   if (body && least(conditions.load, end) < 0.0)
     part.complain(part.given("load_wave") ? "load_wave" : "load", "the load must not be negative");
@@ -163,16 +197,9 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   if (!body && !(least(conditions.load, end) > 0.0))
     part.complain(part.given("load_wave") ? "load_wave" : "load",
                   "the load must stay positive until the end: otherwise the bodies would separate; [body] allows that");
-  constexpr int samples = 4000;  // times between the stops, for the wave; a shorter dip is not seen
-  std::vector<double> times = stops_of(conditions, end);
-  for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
   const char* key = part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
-  for (const double T : times)
-    if (drive_at(conditions, T).speed < 0.0) {
-      part.complain(key, "(u1 + u2)/2 turns negative at " + deck::shortest(T) +
-                             " a/u_m: the oil would then enter at the other side, which is not available");
-      return;
-    }
+  if (const double turn = reversal(conditions, end); turn <= end)
+    return part.complain(key, reversed(part, turn * unit));
   if (value(conditions.supply.factor, 0.0) != 1.0)
     part.complain("supply", "must be 1 at time 0, because [supply] gives the oil at that time");
   if (least(conditions.supply.factor, end) < 0.0)

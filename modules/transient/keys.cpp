@@ -174,7 +174,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   march.probes = read_probes(output, grid);
   const double checkpoint = output.number("checkpoint");
   if (output.given("checkpoint")) input.seconds_between_checkpoints = checkpoint;
-  if (std::isfinite(march.end)) check_drive(transient, input.conditions, march.end);
+  if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end);
   if (deck.errors.empty()) check_steps(transient, march, longest_step(input.conditions, march.end));
   return input;
 }

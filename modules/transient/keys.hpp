@@ -42,8 +42,8 @@ double steepest_load(const deck::Deck& deck, const Scales& scales);
 std::vector<deck::Key> drive_keys();
 /// Reads the schedules into `conditions`. in: unit of time in a/u_m. Errors are added to the deck.
 void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);
-/// Reports a load or speed that no time integration can follow.
-void check_drive(const deck::Part& transient, const Conditions& conditions, double end);
+/// Reports a load or speed that no time integration can follow. in: unit of time of the deck in a/u_m; end of the run.
+void check_drive(const deck::Part& transient, double unit, const Conditions& conditions, double end);
 
 /// Keys of [body]; nullopt if the load is imposed.
 std::vector<deck::Key> body_keys();

@@ -99,7 +99,7 @@ void hold_below(HeldResult& result, const results::ResultFile& file, const std::
       entry.kind = results::Entry::Kind::text;
       entry.text = file.text(path);
     }
-    for (const char* attribute : {"unit", "meaning", "error", "columns", "warnings", "why"})
+    for (const char* attribute : {"unit", "meaning", "error", "columns", "why"})
       if (std::string text = file.attribute(path, attribute); !text.empty())
         entry.attributes.emplace_back(attribute, std::move(text));
     hold(result, std::move(entry));
@@ -134,7 +134,7 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
     if (!result.computed.unsolved.empty()) return;
     result.content = whole_content(input, result.computed);
     result.report = printed(input, result.computed, false);
-    result.warnings = told(result.computed.outcome.warnings);
+    result.warnings = told(all_warnings(input, result.computed));
     hold_all(result, as_kept(result));
   });
 }
@@ -143,6 +143,7 @@ void check_into(HeldResult& result, const std::function<Case()>& read) {
   guarded(result, [&] {
     const Case& input = result.input.emplace(read());
     result.report = derived_of(input);
+    if (!input.dry) result.warnings = told(foreseen_warnings(input));
     results::Content content;
     content.title = input.title;
     content.deck = deck::effective_deck(input.deck);
@@ -157,8 +158,10 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
     const std::lock_guard lock(files);
     const results::ResultFile file(path, number);
     hold_below(result, file, "/");
-    if (const HeldEntry* warnings = found(result, numbers::path_of(id::warnings)))
-      result.warnings = lines_of(warnings->entry.text);
+    // The contact's, and those of each effect: /summary/friction_warnings.
+    for (const HeldEntry& held : result.entries)
+      if (held.entry.path.starts_with("/summary/") && held.entry.path.ends_with("warnings"))
+        for (std::string& line : lines_of(held.entry.text)) result.warnings.push_back(std::move(line));
     const HeldEntry* converged = found(result, numbers::path_of(id::converged));
     const HeldEntry* in_time = found(result, numbers::path_of(id::transient_completed));
     const HeldEntry* why = found(result, numbers::path_of(id::failed_check));

@@ -62,7 +62,8 @@ void refuse_film(deck::Deck& deck) {
                      "elastic data in SI, or nothing (units of Hertz)"
                : scales ? "contains a lubricant, but [case] kind = dry: give load, radius_x and the elastic data in "
                           "SI, or nothing (units of Hertz)"
-                        : "has no influence with [case] kind = dry: remove it");
+                        : "has no influence with [case] kind = dry: remove it",
+               radii || scales ? deck::Cause::between : deck::Cause::idle);
     } else {
       deck.values[k] = {.origin = deck::Origin::absent, .number = std::numeric_limits<double>::quiet_NaN()};
     }

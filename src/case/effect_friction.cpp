@@ -83,7 +83,7 @@ std::string summary(const Case& input, const Computed& computed) {
   if (std::isfinite(f.parameters.limit))
     text += fmt::format(", limited on {:.0f} % of the load", 100.0 * f.limited_share);
   text += std::string("; ") + thermal(input) + ", " + oil(input) + "\n";
-  return text + warning_lines(friction::warnings(f));
+  return text;
 }
 
 Json json(const Case& input, const Computed& computed) {
@@ -92,7 +92,6 @@ Json json(const Case& input, const Computed& computed) {
   const std::vector<results::Quantity> list = numbers::quantities("friction", {input, computed});
   add(list, report);
   add_in_SI(list, si_scales(input.physics), report);
-  add_warnings(friction::warnings(f), report);
   report["seconds"] = f.seconds;
   return report;
 }
@@ -105,7 +104,6 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
   numbers::append("friction", {input, computed}, content.summary);
   content.summary.push_back({"friction", what(input), "", "model of the friction"});
-  content.summary.push_back({"friction_warnings", deck::joined(told(friction::warnings(f)), "\n"), "", "one per line"});
 }
 
 /// What observe_friction() observes: mu and mu_rolling.
@@ -164,6 +162,7 @@ Effect friction_effect() {
           .expense = expense,
           .summary = summary,
           .json = json,
+          .warnings = [](const Case&, const Computed& computed) { return friction::warnings(*computed.friction); },
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.friction->seconds; },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "friction.cavitated=striated"}};

@@ -68,15 +68,12 @@ Json json(const Case& input, const Computed& computed) {
   const std::vector<results::Quantity> list = numbers::quantities("roller", {input, computed});
   add(list, report);
   add_in_SI(list, si_scales(input.physics), report);
-  add_warnings(roller_warnings(*computed.roller), report);
   report["seconds"] = computed.roller->seconds;
   return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
   numbers::append("roller", {input, computed}, content.summary);
-  content.summary.push_back(
-      {"roller_warnings", deck::joined(told(roller_warnings(*computed.roller)), "\n"), "", "one per line"});
   content.tables.push_back(
       table_of("roller", "values along the roller, with oil", slice_columns(), computed.roller->found.slices));
   content.tables.push_back(
@@ -98,6 +95,7 @@ Effect roller_effect() {
           .asymmetry = asymmetry,
           .summary = roller_summary,
           .json = json,
+          .warnings = [](const Case&, const Computed& computed) { return roller_warnings(*computed.roller); },
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.roller->seconds; },
           .example = {"contact.kind=roller", "contact.length=20", "roller.profile=logarithmic", "-domain.y_half"}};

@@ -64,19 +64,22 @@ std::string summary(const Case& input, const Computed& computed) {
   const HeatResult& flow = *computed.flow;
   const heat::Row& row = flow.found.rows.back();
   return fmt::format(
-             "shear        with thinning by the pressure gradient: Hc {:+.2g} %, Hm {:+.2g} % in {} iterations{}\n",
-             100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0), row.passes,
-             computed.solution.converged ? "" : "  (NOT CONVERGED)") +
-         (input.friction ? "" : warning_lines(flow.friction_warnings));
+      "shear        with thinning by the pressure gradient: Hc {:+.2g} %, Hm {:+.2g} % in {} iterations{}\n",
+      100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0), row.passes,
+      computed.solution.converged ? "" : "  (NOT CONVERGED)");
 }
 
 Json json(const Case& input, const Computed& computed) {
   if (!computed.flow) return nullptr;
   Json report;
   add(numbers::quantities("shear", {input, computed}), report);
-  if (!input.friction) add_warnings(computed.flow->friction_warnings, report);
   report["seconds"] = computed.flow->found.seconds;
   return report;
+}
+
+// Warnings about the friction, which [friction] gives itself.
+core::Warnings warnings(const Case& input, const Computed& computed) {
+  return input.friction || !computed.flow ? core::Warnings{} : computed.flow->friction_warnings;
 }
 
 // The cost: a second epsilon on every level, the roots and logarithms of the law in every sweep, and the
@@ -104,6 +107,7 @@ Effect shear_effect() {
           .expense = expense,
           .summary = summary,
           .json = json,
+          .warnings = warnings,
           // Thinning by sliding is part of every evaluation of the film and has no time of its own.
           .seconds = [](const Computed& computed) { return computed.flow ? computed.flow->found.seconds : NAN; },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "shear.law=eyring", "shear.tau_0=5e6"}};

@@ -95,7 +95,7 @@ std::string summary(const Case& input, const Computed& computed) {
   return maximum_line("von Mises   ", field.mises, input.physics, mark) +
          maximum_line("tau_max     ", field.shear, input.physics, mark) + "subsurface   " +
          nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
-         body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
+         body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds);
 }
 
 Json json(const Case& input, const Computed& computed) {
@@ -108,7 +108,6 @@ Json json(const Case& input, const Computed& computed) {
   report["planes"] = field.depths.size();
   report[id::nx] = field.grid.nx;
   report[id::ny] = field.grid.ny;
-  add_warnings(field.warnings, report);
   return report;
 }
 
@@ -117,7 +116,6 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   results::Volume& volume = content.volume;
   volume.group = "/subsurface";
   volume.meaning = "stresses below the contact, the body at z >= 0; tension positive";
-  volume.warnings = deck::joined(told(field.warnings), "\n");
   volume.grid = field.grid;
   volume.depths = field.depths;
   for (const subsurface::Volume& kept : field.kept) {
@@ -150,6 +148,7 @@ Effect subsurface_effect() {
           .expense = expense,
           .summary = summary,
           .json = json,
+          .warnings = [](const Case&, const Computed& computed) { return computed.stresses->warnings; },
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.stresses->seconds; },
           .example = {"subsurface.depth=1", "subsurface.planes=5", "subsurface.cells=32"}};

@@ -86,8 +86,6 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   // Without mu and its error if [friction] has added them.
   numbers::append("thermal", {input, computed}, content.summary);
   if (kept(input, "section")) add_section(input, fields, content.section);
-  content.summary.push_back(
-      {"thermal_warnings", deck::joined(told(thermal_warnings(input, *computed.heat)), "\n"), "", "one per line"});
   content.tables.push_back(table_of("thermal_levels", "solutions with heat, grid by grid", thermal_columns(*input.heat),
                                     computed.heat->found.rows));
 }
@@ -97,9 +95,12 @@ Json json(const Case& input, const Computed& computed) {
   Json report;
   add(numbers::quantities("thermal", {input, computed}), report);
   report["levels"] = rows_json(thermal_columns(*input.heat), computed.heat->found.rows);
-  add_warnings(thermal_warnings(input, *computed.heat), report);
   report["seconds"] = computed.heat->found.seconds;
   return report;
+}
+
+core::Warnings warnings(const Case& input, const Computed& computed) {
+  return computed.heat ? thermal_warnings(input, *computed.heat) : core::Warnings{};
 }
 
 }  // namespace
@@ -121,6 +122,7 @@ Effect thermal_effect() {
           .expense = expense,
           .summary = thermal_summary,
           .json = json,
+          .warnings = warnings,
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.heat ? computed.heat->found.seconds : NAN; },
           .example = {"-contact.M", "-contact.L", "contact.load=30", "contact.radius_x=9.525e-3",

@@ -31,6 +31,10 @@ double own_seconds(const Effect& effect, const Computed& computed) {
   return effect.seconds ? effect.seconds(computed) : unknown;
 }
 
+core::Warnings warnings_of(const Effect& effect, const Case& input, const Computed& computed) {
+  return effect.warnings ? effect.warnings(input, computed) : core::Warnings{};
+}
+
 // The additional cost of an effect: "2 MB and 0.1 s more".
 std::string cost(const Needs& more) {
   constexpr double shown_bytes = 5e5;
@@ -121,7 +125,7 @@ void refuse_idle(Case& input) {
     const std::string reason = effect.idle ? effect.idle(input) : "";
     if (!reason.empty())
       complain(input.deck, effect.callers.front().section, effect.callers.front().name,
-               "the effect " + effect.name + " has no influence: " + reason);
+               "the effect " + effect.name + " has no influence: " + reason, deck::Cause::idle);
   }
 }
 
@@ -157,17 +161,25 @@ std::string effect_times(const Case& input, const Computed& computed) {
          rows;
 }
 
+core::Warnings all_warnings(const Case& input, const Computed& computed) {
+  core::Warnings all = computed.outcome.warnings;
+  for (const Effect& effect : effects_of(input))
+    for (core::Warning& warning : warnings_of(effect, input, computed)) all.push_back(std::move(warning));
+  return all;
+}
+
 void add_effects(const Case& input, const Computed& computed, Json& report) {
   Json& rows = report["effects"] = Json::array();
   for (const results::EffectRow& row : effect_rows(input, computed))
     rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
-  for (const Effect& effect : effects_of(input))
-    if (Json own = effect.json ? effect.json(input, computed) : Json(); !own.is_null()) {
-      for (const char* list : {"warnings", "warning_names"})
-        if (own.contains(list))
-          for (const Json& one : own[list]) report[list].push_back(one);
-      report[effect.name] = std::move(own);
-    }
+  for (const Effect& effect : effects_of(input)) {
+    const core::Warnings warnings = warnings_of(effect, input, computed);
+    add_warnings(warnings, report);
+    Json own = effect.json ? effect.json(input, computed) : Json();
+    if (own.is_null()) continue;
+    if (effect.warnings) add_warnings(warnings, own);
+    report[effect.name] = std::move(own);
+  }
 }
 
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {
@@ -179,8 +191,12 @@ std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& c
 }
 
 void add_effects(const Case& input, const Computed& computed, results::Content& content) {
-  for (const Effect& effect : effects_of(input))
+  for (const Effect& effect : effects_of(input)) {
     if (effect.add_content) effect.add_content(input, computed, content);
+    if (effect.warnings)
+      content.summary.push_back(
+          {effect.name + "_warnings", deck::joined(told(effect.warnings(input, computed)), "\n"), "", "one per line"});
+  }
   // A number refers to an error bar only if the file has it.
   for (results::Quantity& one : content.summary)
     if (std::ranges::find(content.summary, one.error, &results::Quantity::name) == content.summary.end())

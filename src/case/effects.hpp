@@ -16,6 +16,7 @@
 #include "case/computed.hpp"
 #include "case/needs.hpp"
 #include "case/scene.hpp"
+#include "core/warning.hpp"
 #include "deck/key.hpp"
 #include "results/content.hpp"
 
@@ -87,6 +88,8 @@ struct Effect {
   std::string (*asymmetry)(const Case& input) = nullptr;  ///< why it breaks the symmetry in Y; empty if not
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
   nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< JSON member of its name
+  /// What a user must know about its numbers. Report, JSON, result file and C interface take it from here.
+  core::Warnings (*warnings)(const Case& input, const Computed& computed) = nullptr;
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its computing time, counted by no other effect
   std::vector<std::string> example{};                     ///< overrides that enable it in a deck with M and L
@@ -132,8 +135,11 @@ std::string effect_lines(const Case& input);
 /// Seconds and share of the basic model and of each effect; empty without effects.
 std::string effect_times(const Case& input, const Computed& computed);
 
+/// All warnings of a run: those of the contact, then those of its effects.
+core::Warnings all_warnings(const Case& input, const Computed& computed);
+
 /// Adds to a report "effects": [{name, seconds, why, what}], and one member for each effect
-/// that has numbers of its own.
+/// that has numbers of its own; the warnings of the effects join those of the report.
 void add_effects(const Case& input, const Computed& computed, nlohmann::ordered_json& report);
 
 /// The group /effects of the result file: name, seconds and reason; empty without effects.

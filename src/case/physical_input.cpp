@@ -68,11 +68,12 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
                      "a contact in SI needs the viscosity at ambient pressure [Pa s], or kv40, kv100, density15 and "
                      "temperature");
   if (oil.viscosity == "isoviscous") {
-    lubricant.refuse({"alpha"}, "has no influence with viscosity = isoviscous: remove it");
+    lubricant.refuse({"alpha"}, "has no influence with viscosity = isoviscous: remove it", deck::Cause::idle);
     const bool moes = contact.language == Language::moes;
     const std::string group = moes ? "L" : "G";
     if (!si && (moes ? contact.L : contact.G) > 0.0)
-      complain(deck, "contact", group, "has no influence with viscosity = isoviscous: set " + group + " = 0");
+      complain(deck, "contact", group, "has no influence with viscosity = isoviscous: set " + group + " = 0",
+               deck::Cause::idle);
     if (!si && compressible)
       lubricant.complain("density", oil.density +
                                         " needs the Hertz pressure, which a dimensionless isoviscous contact does not "

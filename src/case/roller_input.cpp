@@ -44,7 +44,8 @@ void roller_input(Case& input) {
   if (!input.roller) {
     deck::Part{deck, "roller"}.complain("profile",
                                         "has no influence without [contact] kind = roller or [case] kind = "
-                                        "roller_race: set one of them, or remove it");
+                                        "roller_race: set one of them, or remove it",
+                                        deck::Cause::idle);
     return;
   }
   roller::check_on_grid(deck, input.scene.grid, *input.roller);

@@ -23,7 +23,8 @@ bool possible(deck::Deck& deck, const Physics& physics, const char* section, con
   if (physics.language == Language::moes && !given(deck, "contact", "a_over_R") && !said)
     complain(deck, "contact", "a_over_R",
              std::string("is missing: M and L do not determine it, and [") + section + "] " + key +
-                 " needs it; or give the contact in SI");
+                 " needs it; or give the contact in SI",
+             deck::Cause::missing);
   return deck.errors.empty();
 }
 
@@ -56,12 +57,13 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
   if (scene.supply)
     friction.complain(given[0], "is not available for a starved contact, whose meniscus is computed: remove it");
   else if (!friction::oil_outside(scene) && distance > -scene.grid.X_a)
-    friction.complain(given[0],
-                      fmt::format("lies outside the domain, which ends at {:g} Hertz radii; the gap there is known "
-                                  "only with far_field = closed. {}",
-                                  scene.grid.X_a,
-                                  contact::roller(scene.contact.shape) ? "Move [domain] x_inlet further out"
-                                                               : "Set [domain] far_field = closed, or leave it out"));
+    friction.complain(
+        given[0],
+        fmt::format("lies outside the domain, which ends at {:g} Hertz radii; the gap there is known "
+                    "only with far_field = closed. {}",
+                    scene.grid.X_a,
+                    contact::roller(scene.contact.shape) ? "Move [domain] x_inlet further out"
+                                                         : "Set [domain] far_field = closed, or leave it out"));
   else if (!(distance > 1.0))
     friction.complain(given[0], "must lie outside the contact, more than a Hertz radius from its centre");
   parameters.meniscus = distance;

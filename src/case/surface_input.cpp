@@ -94,10 +94,11 @@ double settled(const deck::Part& part, const std::string& name, double given, do
     return given;
   }
   if (std::isnan(stated))
-    part.complain(name, "is missing, and the file does not state it: give it, or " + name + "_m for a contact in SI");
+    part.complain(name, "is missing, and the file does not state it: give it, or " + name + "_m for a contact in SI",
+                  deck::Cause::missing);
   else if (std::isnan(plain))
-    part.complain(name,
-                  fmt::format("is missing: the file states {:.6g} m, but the contact is not given in SI", stated));
+    part.complain(name, fmt::format("is missing: the file states {:.6g} m, but the contact is not given in SI", stated),
+                  deck::Cause::missing);
   return stated / plain;
 }
 
@@ -116,7 +117,8 @@ void settle_lengths(const deck::Part& part, const MapInFile& file, const surface
     part.complain(
         part.given("shortest_wave") ? "shortest_wave" : "shortest_wave_m",
         fmt::format("has no influence: it is {:.4g} Hertz radii, less than the distance between the points, {:.4g}",
-                    input.shortest_wave, reach));
+                    input.shortest_wave, reach),
+        deck::Cause::idle);
 }
 
 // Removes the mean plane and applies the filters. out: heights in units of the file.
@@ -176,7 +178,9 @@ void check_at_rest(const deck::Part& part, const Physics& physics, bool timed) {
           "at_rest",
           "is available for steady contacts only: in time, u1 and u2 of [transient] give the motion of the surface");
   } else if (physics.language == contact::Language::si) {
-    if (said) part.complain("at_rest", "has no influence: [motion] states which surface stands still; remove it");
+    if (said)
+      part.complain("at_rest", "has no influence: [motion] states which surface stands still; remove it",
+                    deck::Cause::idle);
     if (!physics.si) return;  // the error was reported already
     const double u = part.section == "surface1" ? physics.si->u1 : physics.si->u2;
     if (std::abs(u) > no_speed * physics.si->contact.u_s)
@@ -200,8 +204,10 @@ void check_influence(const deck::Part& part, const surface::Relief& relief, cons
   const double height = map ? surface::rms(map->gap) : std::get<Feature>(relief).height;
   if (core::max_abs(S) > no_influence * height) return;
   const auto [X, Y] = std::visit([](const auto& one) { return std::pair(one.X, one.Y); }, relief);
-  part.complain("shape", "has no influence: centred at (" + deck::shortest(X) + ", " + deck::shortest(Y) +
-                             ") a, it does not reach into the domain");
+  part.complain("shape",
+                "has no influence: centred at (" + deck::shortest(X) + ", " + deck::shortest(Y) +
+                    ") a, it does not reach into the domain",
+                deck::Cause::idle);
 }
 
 std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& physics, const core::Grid& grid,

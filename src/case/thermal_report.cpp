@@ -129,7 +129,7 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
   text += fmt::format("             Nahme's number {:.3g}; passes per grid", found.nahme);
   for (const heat::Row& row : found.rows) text += fmt::format(" {}", row.passes);
   text += "\n";
-  return text + warning_lines(thermal_warnings(input, heat));
+  return text;
 }
 
 }  // namespace ehl::program

@@ -133,8 +133,6 @@ std::string warnings_of(const ResultView& view) {
     text += "<p class=\"alarm\"><b>Not complete.</b> The run in time " + escaped(ended_words(view)) + "</p>\n";
   for (const std::string& name : view.source.file.names("/summary"))
     if (name.ends_with("warnings")) text += paragraphs(view.text("/summary/" + name), "warning", "<b>Warning:</b> ");
-  if (view.has("/subsurface"))
-    text += paragraphs(view.source.file.attribute("/subsurface", "warnings"), "warning", "<b>Warning:</b> ");
   return text.empty() ? "<p class=\"fine\">Converged: all checks passed. No warnings.</p>\n"
          : view.converged && view.value(path_of(id::transient_completed)) != 0.0
              ? "<p class=\"fine\">Converged: all checks passed.</p>\n" + text
@@ -198,9 +196,11 @@ std::string details_of(const ResultView& view) {
   text += folded("Deck", "<pre>" + escaped(view.text("/deck")) + "</pre>\n");
   text += folded("Provenance", all_numbers(view, "/provenance"));
   const auto word = [&](const char* name) { return escaped(view.text(std::string("/provenance/") + name)); };
+  const double seconds = view.value(path_of(id::seconds));  // NaN of a file without a solution
   return text + "<p class=\"small\">" + escaped(program_words(view)) + "; " + word("host_cpu") + ", threads " +
-         word("threads") + "; " + fmt::format("{:.3g} s", view.value(path_of(id::seconds))) + " for the solution; " +
-         word("date") + ".</p>\n";
+         word("threads") + "; " +
+         (std::isfinite(seconds) ? fmt::format("{:.3g} s for the solution; ", seconds) : std::string()) + word("date") +
+         ".</p>\n";
 }
 
 }  // namespace ehl::program

@@ -123,6 +123,18 @@ std::string profile_table(const core::PartTimes& times, double seconds) {
   return text;
 }
 
+core::Warnings foreseen_warnings(const Case& input) {
+  core::Warnings warnings = hardly_meant(input);
+  const std::vector<Formula> formulas = film_formulas(input.physics);
+  if (const std::optional<SiInput>& si = input.physics.si; si && !formulas.empty())
+    for (core::Warning& warning : hardly_a_film(formulas[0].Hc * si->hertz.h_scale, formulas[0].Hm * si->hertz.h_scale))
+      warnings.push_back(std::move(warning));
+  if (std::optional<core::Warning> warning = roughness_warning(input, roughness_of(input, formulas, std::nan(""))))
+    warnings.push_back(*warning);
+  for (core::Warning& warning : moving_surface_warnings(input)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
 std::string derived(const Case& input) {
   const Physics& physics = input.physics;
   const steady::Scene& scene = input.scene;
@@ -140,15 +152,8 @@ std::string derived(const Case& input) {
   if (const core::Grid grid = predicted_grid(scene); !std::isnan(scene.accuracy.error))
     text += fmt::format("accuracy     {:g}: about {} nodes on [{:.4g}, {:.4g}] x [{:.4g}, {:.4g}]\n",
                         scene.accuracy.error, nodes(grid.nx, grid.ny), grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
-  core::Warnings warnings = hardly_meant(input);
-  if (physics.si && !formulas.empty())
-    for (core::Warning& warning :
-         hardly_a_film(formulas[0].Hc * physics.si->hertz.h_scale, formulas[0].Hm * physics.si->hertz.h_scale))
-      warnings.push_back(std::move(warning));
-  if (std::optional<core::Warning> warning = roughness_warning(input, roughness)) warnings.push_back(*warning);
-  for (core::Warning& warning : moving_surface_warnings(input)) warnings.push_back(std::move(warning));
   const Needs needs = expected_needs(input);
-  return text + warning_lines(warnings) +
+  return text + warning_lines(foreseen_warnings(input)) +
          fmt::format("needs        about {} and {} with {}{}\n", memory(needs.bytes), about_seconds(needs.seconds),
                      threads_text(scene.threads), what_needs_leave_out(input));
 }

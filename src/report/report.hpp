@@ -18,6 +18,9 @@ std::string summary(const Case& input, const Computed& computed);
 /// The computing time of each part of the cycles: seconds and share.
 std::string profile_table(const core::PartTimes& times, double seconds);
 
+/// Warnings that follow from the deck, before a lubricated contact is solved.
+core::Warnings foreseen_warnings(const Case& input);
+
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 

@@ -6,6 +6,7 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
+#include "base/text_format.hpp"
 #include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -89,8 +90,10 @@ std::string derived_of(const Case& input) { return solver_of(input).derived(inpu
 
 std::string printed(const Case& input, const Computed& computed, bool profile) {
   std::string text = "case         " + input.title + "\n" + solver_of(input).summary(input, computed);
-  for (const Effect& effect : effects_of(input))
+  for (const Effect& effect : effects_of(input)) {
     if (effect.summary) text += effect.summary(input, computed);
+    if (effect.warnings) text += warning_lines(effect.warnings(input, computed));
+  }
   text += effect_times(input, computed);
   if (profile && !input.dry) text += tuning_lines(input.tuning);
   if (profile && computed.in_time)

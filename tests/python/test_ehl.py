@@ -163,6 +163,32 @@ def test_warnings_are_those_of_python():
         ehl.run(CIRCLE, grid={"cells": 32})
 
 
+def test_warnings_are_all_that_the_report_prints(tmp_path):
+    """Of the contact and of each effect: here heat, whose Newtonian oil shears as no oil does, friction and stresses."""
+    ball = dict(
+        contact={"load": 100, "radius_x": 0.01, "E_prime": 226e9},
+        motion={"u_m": 2, "srr": 0.5},
+        lubricant={"eta0": 0.05, "alpha": 2e-8},
+        grid={"cells": 64},
+        thermal={"T_oil": 40, "beta": 0.04, "solid1": "steel", "solid2": "steel"},
+        friction={"cavitated": "striated"},
+        subsurface={"depth": 1, "planes": 5, "cells": 32},
+    )
+
+    def printed(result):
+        return [line[len("warning: ") :] for line in result.report.splitlines() if line.startswith("warning: ")]
+
+    with pytest.warns(ehl.EhlWarning):
+        result = ehl.run({}, **ball)
+    assert result.warnings == printed(result)
+    assert any("[shear-stress]" in one for one in result.warnings)
+    result.save(tmp_path / "all.h5")
+    assert sorted(ehl.open(tmp_path / "all.h5").warnings) == sorted(result.warnings)
+    del ball["thermal"]
+    checked = ehl.check({}, **{**ball, "motion": {"u_m": 2, "srr": 2.5}})
+    assert checked.warnings == printed(checked) and "[backwards]" in checked.warnings[0]
+
+
 def test_progress_and_stopping():
     heard = []
     ehl.run(CIRCLE, progress=lambda fraction, text: heard.append((fraction, text)))

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"never there", "[transient]\nend_time = 1e9\n", {"end_time = 1e9", "1e+10 steps", "max_steps is 100000"}},
       {"half a wave", timed + "load_wave = 0.2\n", {"load_wave = 0.2", "amplitude period"}},
       {"no period", timed + "load_wave = 0.2 0\n", {"load_wave", "period must be positive"}},
-      {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
+      {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative", "end_time = 0."}},
       {"half a probe", timed + "[output]\nprobe = 0 0, 0.7\n", {"probe = 0 0, 0.7", "'0.7' is not a point"}},
       {"words for a probe", timed + "[output]\nprobe = centre\n", {"probe = centre", "X Y, X Y"}},
       {"a probe outside", timed + "[output]\nprobe = 0 0, 1.6 0\n", {"(1.6, 0) lies outside", "-4.5 <= X <= 1.5"}},
@@ -67,6 +67,13 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const support::TemporaryFolder folder;
   for (const support::Slip& slip : slips)
     support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
+  // The end that the refusal names is accepted: u1 = -u2 = -1 at 0.4.
+  folder.write("d.ini", contact + grid + timed + "u1 = 0.2:1 0.5:-2\n");
+  const std::string refused = support::ehl(folder, "check d.ini").err;
+  const double end = std::stod(refused.substr(refused.find("end_time = ") + 11));
+  BOOST_TEST_MESSAGE("reversal at 0.4, end_time = " << end);
+  BOOST_TEST((end <= 0.4 && end > 0.399));
+  BOOST_TEST(support::ehl(folder, "check d.ini --set transient.end_time=" + std::to_string(end)).status == 0);
   for (const auto& [table, words] : {std::pair{"t [s],load\n0,1\n", "or in seconds with time_unit = seconds"},
                                      {"t,load [N]\n0,1\n", "relative to that of [contact]"}}) {
     folder.write("units.csv", table);

@@ -135,8 +135,10 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
   return result;
 }
 
+bool exceeds_any_oil(const Friction& friction) { return friction.unlikely_share >= worth_a_warning; }
+
 bool unlikely(const Friction& friction) {
-  return friction.unlikely_share >= worth_a_warning && friction.parameters.limit > largest_limit;
+  return exceeds_any_oil(friction) && friction.parameters.limit > largest_limit;
 }
 
 core::Warnings warnings(const Friction& friction) {

@@ -102,7 +102,10 @@ struct Friction {
 /// node.
 Friction friction_of(const Film& film, const Parameters& parameters);
 
-/// True if the stress exceeds what lubricants can carry, on a significant part of the load.
+/// True if the stress of the oil, before any limit, exceeds what lubricants can carry on a significant part of the
+/// load.
+bool exceeds_any_oil(const Friction& friction);
+/// True if it does, and no [friction] limit reduces it.
 bool unlikely(const Friction& friction);
 /// Warnings in words: a Newtonian oil with stresses that no lubricant can carry.
 core::Warnings warnings(const Friction& friction);

@@ -1,12 +1,9 @@
 #include "effects/heat/coupled.hpp"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "rheology/range.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/layer_error.hpp"
 #include "steady/passes.hpp"
@@ -19,15 +16,6 @@ using multigrid::part_of;
 
 // Shares of the progress: of the isothermal film in a film with heat, and of the starved film next to its flooded one.
 constexpr double share_of_isothermal = 0.2, share_of_starved = 0.6;
-
-// The remedy if no film with heat was found. in: the isothermal film.
-std::string advice_for_undone(const Contact& contact, const steady::Solution& before) {
-  const double P_max = core::maximum(before.P).value;
-  if (!rheology::glass(contact.scene.viscosity, {.P_max = P_max, .p_h = contact.p_h, .eta0 = contact.eta0}))
-    return "; use more cells, or less sliding";
-  return "; at this pressure the oil is a glass, which shears as a solid, and more cells do not help: reduce the load "
-         "or the sliding, or give [shear] law and [friction] limit";
-}
 
 steady::Solution flooded_with_heat(const Contact& contact, const steady::ProgressCallback& progress) {
   steady::Scene scene = contact.scene;
@@ -42,9 +30,8 @@ steady::Solution flooded_with_heat(const Contact& contact, const steady::Progres
 Coupled solve_in_turn(const Contact& contact, const steady::Scene& scene, const steady::ProgressCallback& progress) {
   Coupled found{.film = steady::solve(scene, part_of(progress, 0.0, share_of_isothermal))};
   if (!found.film.converged) return found;
-  Solution& heat =
-      found.heat.emplace(solve(scene, contact.setup, contact.tuning, found.film, part_of(progress, share_of_isothermal, 1.0)));
-  if (heat.undone) heat.film.failed_check += advice_for_undone(contact, found.film);
+  Solution& heat = found.heat.emplace(
+      solve(scene, contact.setup, contact.tuning, found.film, part_of(progress, share_of_isothermal, 1.0)));
   heat.film.starvation = found.film.starvation;
   found.isothermal = std::exchange(found.film, std::exchange(heat.film, {}));
   return found;
@@ -97,8 +84,8 @@ Coupled solve_on_grid(const Contact& contact, const steady::ProgressCallback& pr
   Coupled found = solve_in_turn(contact, scene, part_of(progress, 0.0, share_of_starved));
   if (!found.heat) return found;
   const double seconds = found.film.starvation->seconds + found.heat->seconds;
-  found.film.starvation = steady::starvation_of(
-      scene, found.film, flooded_with_heat(contact, part_of(progress, share_of_starved, 1.0)));
+  found.film.starvation =
+      steady::starvation_of(scene, found.film, flooded_with_heat(contact, part_of(progress, share_of_starved, 1.0)));
   found.film.starvation->seconds = seconds;
   found.film.warnings = steady::warnings_of(scene, found.film);
   return found;
@@ -113,7 +100,7 @@ Coupled solve_coupled(const Contact& contact, const steady::ProgressCallback& pr
     if (std::isnan(one.accuracy.error)) return steady::solve(one);  // a solution for the error of the domain
     steady::Scene alone = one;
     alone.accuracy = {};
-    last = solve_on_grid({alone, contact.setup, contact.tuning, contact.p_h, contact.eta0}, progress);
+    last = solve_on_grid({alone, contact.setup, contact.tuning}, progress);
     return last.film;
   };
   last.film = steady::solve_to_accuracy(contact.scene, find, progress, false);

@@ -1,20 +1,17 @@
 #pragma once
 // A contact whose film is solved together with heat, or with an oil that thins by the pressure flow: flooded, starved,
 // in several passes, or to a required accuracy.
-#include <limits>
 #include <optional>
 
 #include "effects/heat/solve.hpp"
 
 namespace ehl::heat {
 
-/// The contact. p_h and eta0 serve only the advice for a film that is not found; NaN: unknown.
+/// The contact.
 struct Contact {
   const steady::Scene& scene;
-  const thermal::Setup& setup;                             ///< complete except for the patch and the threads
+  const thermal::Setup& setup;  ///< complete except for the patch and the threads
   const Tuning& tuning;
-  double p_h = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
-  double eta0 = std::numeric_limits<double>::quiet_NaN();  ///< [Pa s]
 };
 
 /// The film, and what belongs to it.

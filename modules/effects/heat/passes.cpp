@@ -182,7 +182,10 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     run.damping = damping;
     if (weight >= tuning.least_weight) continue;
     // No under-relaxation helps: damping of the cycles, as for a difficult isothermal film.
-    run.damping = {.all = tuning.back_off * damping.all, .steep = tuning.back_off * damping.steep, .relax_after = true};
+    run.damping = {.all = tuning.back_off * damping.all,
+                   .steep = tuning.back_off * damping.steep,
+                   .relax_after = true,
+                   .weighted = damping.weighted};
     if (run.damping.all < tuning.least_damping) return result;
     weight = 1.0;
   }

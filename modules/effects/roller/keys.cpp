@@ -130,7 +130,7 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
 // Reads a number that the shape requires, in its dimensionless unit.
 double needed(const deck::Part& part, const std::string& name, const deck::PlainUnit& unit) {
   if (part.given_of({name, name + unit.suffix}).empty())
-    part.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI");
+    part.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI", deck::Cause::missing);
   return part.number_in(name, unit);
 }
 
@@ -198,7 +198,7 @@ Profile read(deck::Deck& deck, const Scales& scales) {
   if (const double wave = part.number_in("shortest_wave", {"_m", scales.a, scales.in_SI}); !std::isnan(wave))
     profile.trace.shortest_wave = wave;
   if (!part.given("file"))
-    part.complain("file", "is missing: give the table of y and drop");
+    part.complain("file", "is missing: give the table of y and drop", deck::Cause::missing);
   else if (const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);
            !wrong.empty())
     part.complain("file", wrong);

@@ -407,7 +407,7 @@ class MultigridKeys(TypedDict, total=False):
     """Newton refinement (Newton-Krylov) on the finest grid. rescue: only if no other strategy finds a solution. always: also after the cycles, down to rounding errors. off: never.
     default: rescue; allowed: one of rescue, always, off"""
     cycle: Literal["V", "W", "F"]
-    """Shape of the multigrid cycle.
+    """Shape of the multigrid cycle. F becomes W above the first grid if the residual falls too slowly.
     default: F if the discretization error decides (V for a line contact), W with a tolerance or on stretched cells; allowed: one of V, W, F"""
     pre: int
     """Number of relaxations before the coarse grid correction, nu_1.

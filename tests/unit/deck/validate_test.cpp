@@ -108,6 +108,21 @@ BOOST_AUTO_TEST_CASE(the_command_line_replaces_and_is_checked_alike) {
   BOOST_TEST(small::reports(twice, {"command line", "given twice"}), small::all_errors(twice));
 }
 
+// Consequences of another error are found by their cause, whatever their words are.
+BOOST_AUTO_TEST_CASE(consequences_are_left_out) {
+  const auto kept = [](const std::string& text) {
+    deck::Deck deck = small::read(text);
+    const deck::Part law{deck, "law"};
+    law.complain("z", "is needed here", deck::Cause::missing);
+    law.complain("z", "does nothing", deck::Cause::idle);
+    law.complain("z", "has no influence, and the limit is missing");
+    law.demand({"tolerance"}, "the law needs it");
+    return deck::first_causes(deck).size();
+  };
+  BOOST_TEST(kept("[body]\nload = 1\n") == 4u);
+  BOOST_TEST(kept("[body]\nlaod = 1\n") == 2u);  // the unknown key, and the rule between keys
+}
+
 BOOST_AUTO_TEST_CASE(chosen_values_and_complaints) {
   deck::Deck deck = small::read("[mesh]\nlength = 2\n");
   deck::choose(deck, "body", "load", 4.0, "because");

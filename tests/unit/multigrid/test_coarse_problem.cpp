@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one
 
   // If the coarse grid changes nothing, the fine grid does not change.
   const Field P = fine.P;
-  multigrid::correct_from_coarse(hierarchy, coarse, fine);
+  multigrid::correct_from_coarse(hierarchy, coarse, fine, false);
   BOOST_TEST(ehl::core::max_abs_difference(P, fine.P) == 0.0);
 }
 
