@@ -182,7 +182,6 @@ Language language_of(const deck::Part& contact) {
 // True if `kind` is not a valid word, which has been reported; the required keys are then unknown.
 bool kind_is_refused(const deck::Part& contact) { return !deck::value(contact.deck, "contact", "kind").valid; }
 
-// Name of the key of the load.
 std::string load_name(const deck::Part& contact) { return is_line(contact.deck) ? "load_per_length" : "load"; }
 
 Bodies read_bodies(const deck::Part& contact) {
@@ -197,9 +196,8 @@ Bodies read_bodies(const deck::Part& contact) {
     contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2", deck::Cause::missing);
   else
     contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
-  const double E_prime = contact.given("E_prime")
-                             ? number("E_prime")
-                             : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")});
+  const Elastic first{number("E1"), number("nu1")}, second{number("E2"), number("nu2")};
+  const double E_prime = contact.given("E_prime") ? number("E_prime") : reduced_modulus(first, second);
   return {.load = number(load.c_str()),
           .radius = number("radius_x"),
           .E_prime = E_prime,

@@ -85,6 +85,7 @@ SmoothPart::SmoothPart(const Coating& coating, bool plane)
                                return boost::math::cyl_bessel_j(0, x);
                              }));
   }
+  if (plane) at_one_ = (*this)(1.0);
 }
 
 double SmoothPart::operator()(double r) const {
@@ -103,7 +104,7 @@ double SmoothPart::operator()(double r) const {
     sum += weights[k] * left[k] * right * values[k];
     right *= t - k;
   }
-  if (plane_) return sum + local_ * (std::log(thickness_) + 0.5 * std::log1p(rho * rho));
+  if (plane_) return sum + local_ * (std::log(thickness_) + 0.5 * std::log1p(rho * rho)) - at_one_;
   return sum / (thickness_ * std::sqrt(1.0 + rho * rho));
 }
 

@@ -34,7 +34,8 @@ double local_response(const Coating& coating);
 /// share R(k t) times that of the kernel. Far away it falls as r^-3, or x^-2. Near the load it is share R(infinity)
 /// times the kernel plus a smooth function, which this class evaluates:
 ///   points: share (1/t) integral of [R(q) - R(infinity)] J0(q r/t) dq,
-///   lines:  share [integral of [R(q) - R(infinity) (1 - exp(-q))] cos(q x/t) dq/q + R(infinity) ln(x^2 + t^2)/2].
+///   lines:  share [integral of [R(q) - R(infinity) (1 - exp(-q))] cos(q x/t) dq/q + R(infinity) ln(x^2 + t^2)/2],
+///           less its value at x = 1, so that K vanishes there as without coatings. H00 absorbs this constant.
 ///
 /// The integrals, by Gauss quadrature over half waves, are tabulated in asinh(r/t) and interpolated by polynomials of
 /// degree 7. limits: moduli that differ by a factor of 1000 at most. error: below 1e-10 of share R(infinity) times 1/r,
@@ -52,6 +53,7 @@ class SmoothPart {
  private:
   bool plane_;
   double thickness_, local_;
+  double at_one_ = 0.0;        ///< lines: the value that is subtracted
   std::vector<double> table_;  ///< at asinh(r/t) = (n - before) table_step
 };
 

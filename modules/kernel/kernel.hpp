@@ -13,7 +13,8 @@ namespace ehl::kernel {
 inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);
 
 /// The deformation is factor K*P. K is 1/r (half-space, points) or -ln|x| (half-plane, lines), and what the coatings
-/// add to it. `factor` is that of the uncoated bodies, and so that of K far away.
+/// add to it. `factor` is that of the uncoated bodies, and so that of K far
+/// away. Lines: K vanishes at the distance 1.
 struct Kernel {
   bool plane = false;
   double factor = circular_factor;

@@ -125,7 +125,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   if (whole.line) {
     own.line_sum.emplace(x, choice, kernel);
     own.along_P = own.along_w = std::vector<double>(static_cast<std::size_t>(grid.nodes_x()));
-    own.of_unit = kernel.factor * grid.hx() * std::log(parameters.line_unit);
+    own.of_unit = -kernel.factor * grid.hx() * kernel::at_distance(kernel, parameters.line_unit);
     choice.coarsest_direct = own.line_sum->coarsest_direct();
     if (parameters.method == Method::mlmi)
       own.description = describe(choice, std::to_string(own.line_sum->coarsest_points()), true);

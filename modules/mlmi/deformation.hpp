@@ -21,7 +21,7 @@ struct Parameters {
   int patch_across = 0;          ///< correction patch radius m2 across it [fine points]
   int coarsenings = -1;          ///< number of semi-coarsenings before the coarsest sum
   bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
-  double line_unit = 1.0;        ///< line contacts: length at which the logarithm is zero [a]
+  double line_unit = 1.0;        ///< line contacts: distance at which K is zero [a]
 };
 
 /// Largest number of semi-coarsenings that a grid allows: each coarsened direction keeps at least 8 cells.

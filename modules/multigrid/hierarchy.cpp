@@ -32,7 +32,8 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, const kernel::Kernel
     const auto k = static_cast<std::size_t>(d);
     if (grid.domain.line) {
       const double zero_at = std::max(how.line_zero, 2.0 * grid.hx());
-      terms.K[k] = kernel.factor * (kernel::line_influence(kernel, d, grid.hx()) + grid.hx() * std::log(zero_at));
+      const double at_zero = kernel::at_distance(kernel, zero_at);
+      terms.K[k] = kernel.factor * (kernel::line_influence(kernel, d, grid.hx()) - grid.hx() * at_zero);
       terms.delta_K[k] = kernel.factor * kernel::distributed_line_influence(kernel, d, grid.hx());
       continue;
     }

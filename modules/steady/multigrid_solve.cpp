@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/constants.hpp"
 #include "multigrid/chattering.hpp"
 #include "multigrid/mass_balance.hpp"
 #include "steady/newton_fallback.hpp"
@@ -119,6 +120,23 @@ reynolds::FarField far_field(const Scene& scene, double load, const core::Grid& 
                              .by_coatings = std::move(by_coatings)});
 }
 
+double dry_approach(const Scene& scene) {
+  const auto [gap, outline, kernel] = geometry_of(scene);
+  if (kernel.coatings.empty()) return scene.contact.shape.approach;
+  constexpr int directions = 32, steps = 32;  // midpoint rule: the approach only starts the iteration
+  double sum = 0.0;
+  for (int n = 0; n < directions; ++n) {
+    const double phi = 2.0 * core::pi * (n + 0.5) / directions;
+    const double edge = kernel.plane ? 1.0 : 1.0 / std::sqrt(outline.at(std::cos(phi), std::sin(phi)));
+    for (int k = 0; k < steps; ++k) {
+      const double u = (k + 0.5) / steps;
+      const double area = kernel.plane ? 2.0 : 2.0 * core::pi * edge * edge * u;
+      sum += area * std::sqrt(1.0 - u * u) * kernel::by_coatings(kernel, edge * u) / (directions * steps);
+    }
+  }
+  return scene.coatings.stiffness * scene.contact.shape.approach + kernel.factor * sum;
+}
+
 bool held_by(int cells, const Scene& scene) {
   const double step = (scene.grid.X_b - scene.grid.X_a) / first_cells(cells, scene) / core::stretch(scene.grid);
   // A coarser grid does not see the zones in which the film forms.
@@ -129,7 +147,7 @@ double first_H00(const Scene& scene) {
   // Beside a slender contact most of a thick initial film has to leave, and the outflow pulls the film below zero; a
   // thin film fills from the inlet. [bench: first_H00_of_slender_contacts]
   const double share = core::stretched(scene.grid) ? scene.tuning.first_film_of_slender : 1.0;
-  return (scene.dry ? 0.0 : -scene.contact.shape.approach) + share * scene.contact.film;
+  return (scene.dry ? 0.0 : -dry_approach(scene)) + share * scene.contact.film;
 }
 
 bool on_one_half(const Scene& scene) {

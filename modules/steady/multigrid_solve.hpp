@@ -16,6 +16,8 @@ bool held_by(int cells, const Scene& scene);
 multigrid::Geometry geometry_of(const Scene& scene);
 /// The closed far field around a domain. in: the load that deforms the bodies, in units of p_h a^2.
 reynolds::FarField far_field(const Scene& scene, double load, const core::Grid& domain);
+/// Mutual approach of the dry bodies, by the deformation of their centre under the Hertz pressure.
+double dry_approach(const Scene& scene);
 /// Initial H00: that of the dry contact plus the expected central film, or plus a tenth of it on stretched cells.
 double first_H00(const Scene& scene);
 

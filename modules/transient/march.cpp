@@ -281,8 +281,9 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
   const double began = core::now();
   const steady::Scene own = scene_in_time(scene, conditions);
-  const double carried = steady::geometry_of(own).kernel.factor * contact::load(own.contact.shape);
-  const double of_unit = carried * std::log(own.deformation.line_unit);
+  const kernel::Kernel kernel = steady::geometry_of(own).kernel;
+  const double of_unit =
+      -kernel.factor * contact::load(own.contact.shape) * kernel::at_distance(kernel, own.deformation.line_unit);
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);

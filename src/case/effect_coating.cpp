@@ -18,13 +18,15 @@ bool on(const Case& input) {
 }
 
 void refuse(deck::Deck& deck) {
+  const deck::Part contact{deck, "contact"};
+  const auto complain = [&](const std::string& why) {
+    contact.complain(contact.given("coating1_E") ? "coating1_E" : "coating2_E", "is not available " + why);
+  };
   for (const auto& [section, why] : {std::pair{"thermal", "the heat conduction of coatings is not computed"},
                                      {"subsurface", "the stresses in and below coatings are not computed"}})
     if (deck::called_for(deck, section))
-      deck::complain(deck, "contact", "coating1_E",
-                     fmt::format("is not available with [{}]: {}; remove the coating or [{}]", section, why, section));
-  if (deck::word(deck, "contact", "kind") == "roller")
-    deck::complain(deck, "contact", "coating1_E", "is not available for a roller: use kind = line, or no coating");
+      complain(fmt::format("with [{}]: {}; remove the coating or [{}]", section, why, section));
+  if (contact.word("kind") == "roller") complain("for a roller: use kind = line, or remove the coating");
 }
 
 // The coatings of the scene, with all lengths in a.
@@ -49,8 +51,9 @@ std::string what(const Case& input) {
     const std::string name = "coating" + body;
     if (!deck::given(input.deck, "contact", name + "_E")) continue;
     const double thickness = number(name + "_thickness");
-    text += fmt::format("body {}: E = {}, nu = {:.4g}, {} thick ({:.4g} a); ", body, pressure_in_GPa(number(name + "_E")),
-                        number(name + "_nu"), length(thickness), thickness / si.hertz.a);
+    text +=
+        fmt::format("body {}: E = {}, nu = {:.4g}, {} thick ({:.4g} a); ", body, pressure_in_GPa(number(name + "_E")),
+                    number(name + "_nu"), length(thickness), thickness / si.hertz.a);
   }
   return text + "the bodies have E' = " + pressure_in_GPa(si.E_prime_uncoated) + ", the scales " +
          pressure_in_GPa(si.contact.E_prime);

@@ -193,4 +193,39 @@ BOOST_AUTO_TEST_CASE(the_catalogue_is_sound) {
   }
 }
 
+// A coating of the material of its body is none. One of another material changes the scales to those of bodies that
+// yield as much: a very thick one is a body of its material, a very thin one is not felt.
+BOOST_AUTO_TEST_CASE(coatings_of_bodies) {
+  const std::string uncoated =
+      "[contact]\nload = 20\nradius_x = 0.01\nE1 = 210e9\nnu1 = 0.3\nE2 = 200e9\nnu2 = 0.25\n[motion]\nu_m = 1\n"
+      "[lubricant]\neta0 = 0.04\nalpha = 2e-8\n";
+  const auto coated = [&](const std::string& E, const std::string& nu, const std::string& thickness) {
+    return read(uncoated,
+                {"contact.coating1_E=" + E, "contact.coating1_nu=" + nu, "contact.coating1_thickness=" + thickness});
+  };
+  const double E_prime = read(uncoated).physics.si->contact.E_prime;
+  const program::Case equal = coated("210e9", "0.3", "1e-5");
+  BOOST_TEST((equal.physics.si->contact.E_prime == E_prime && equal.scene.coatings.parts.empty()));
+  BOOST_TEST(coated("100e9", "0.2", "1e-12").physics.si->contact.E_prime == E_prime, tolerance(1e-6));
+  const double of_thick = contact::reduced_modulus({100e9, 0.2}, {200e9, 0.25});
+  BOOST_TEST(coated("100e9", "0.2", "0.1").physics.si->contact.E_prime == of_thick, tolerance(1e-9));
+  const program::Case input = coated("100e9", "0.2", "1e-5");
+  BOOST_TEST(input.scene.coatings.parts.front().thickness() == 1e-5 / input.physics.si->hertz.a, tolerance(1e-14));
+  BOOST_TEST((input.physics.si->contact.E_prime < E_prime && input.physics.si->contact.E_prime > of_thick));
+
+  const auto refused = [&](std::vector<std::string> overrides, const std::string& word) {
+    for (const char* key : {"contact.coating1_E=100e9", "contact.coating1_nu=0.2", "contact.coating1_thickness=1e-5"})
+      overrides.insert(overrides.begin(), key);
+    BOOST_CHECK_EXCEPTION(read(uncoated, overrides), core::InputError, [&](const core::InputError& error) {
+      return std::string(error.what()).find(word) != std::string::npos;
+    });
+  };
+  refused({"-contact.coating1_nu"}, "coating1_nu");
+  refused({"contact.coating1_E=1e7"}, "between 0.001 and 1000");
+  refused({"subsurface.depth=1"}, "[subsurface]");
+  refused({"-contact.E1", "-contact.nu1", "-contact.E2", "-contact.nu2", "contact.E_prime=220e9"},
+          "instead of E_prime");
+  refused({"contact.kind=roller", "contact.length_m=0.01", "roller.profile=straight"}, "roller");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
