@@ -282,8 +282,10 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const double began = core::now();
   const steady::Scene own = scene_in_time(scene, conditions);
   const kernel::Kernel kernel = steady::geometry_of(own).kernel;
-  const double of_unit =
-      -kernel.factor * contact::load(own.contact.shape) * kernel::at_distance(kernel, own.deformation.line_unit);
+  // A line contact has its unit of length where the kernel vanishes.
+  const double of_unit = kernel.plane ? -kernel.factor * contact::load(own.contact.shape) *
+                                            kernel::at_distance(kernel, own.deformation.line_unit)
+                                      : 0.0;
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);

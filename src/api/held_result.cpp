@@ -10,6 +10,7 @@
 #include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "deck/write.hpp"
+#include "report/report.hpp"
 #include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"

@@ -23,7 +23,7 @@ steady::Solution solved(steady::Scene scene) {
 // in: stiffness, the modulus of the scales over that of the bodies.
 steady::Scene coated(steady::Scene scene, const kernel::Coating& coating, double stiffness) {
   scene.coatings.stiffness = stiffness;
-  scene.coatings.parts = {kernel::SmoothPart(coating, contact::line(scene.shape))};
+  scene.coatings.parts = {kernel::SmoothPart(coating, contact::line(scene.contact.shape))};
   return scene;
 }
 
