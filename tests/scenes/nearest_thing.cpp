@@ -32,7 +32,7 @@ void check(const Mistake& mistake) {
 BOOST_AUTO_TEST_CASE(names_that_are_not_there) {
   for (const Mistake& mistake : {
            Mistake{good + "[mixed]\nh_b = 1\n", "", "asperity contact (mixed lubrication) is not available"},
-           Mistake{good + "[coating]\nE = 1\n", "", "coatings are not available"},
+           Mistake{good + "[coating]\nE = 1\n", "", "give coating1_E"},
            Mistake{good + "[wear]\nk = 1\n", "", "wear is not computed"},
            Mistake{good + "[grease]\nk = 1\n", "", "give the base oil in [lubricant]"},
            Mistake{good, "--set contact.p_h=1e9", "2 pi^3 R^2 p_h^3/(3 E'^2)"},

@@ -226,6 +226,24 @@ class ContactKeys(TypedDict, total=False):
     Sq2: float | str
     """Root mean square height of surface 2, see Sq1.
     default: none; allowed: a number > 0 and <= 1e-04 m"""
+    coating1_E: float | str
+    """Young's modulus of an elastic coating bonded to body 1. Give it with its nu and thickness, and E1, nu1, E2 and nu2 of the bodies below. The scales E', a, p_h, M and L are then those of uncoated bodies that yield about as much.
+    default: none; allowed: a number > 0 Pa"""
+    coating1_nu: float | str
+    """Poisson's ratio of the coating of body 1.
+    default: none; allowed: a number > -1 and <= 0.5"""
+    coating1_thickness: float | str
+    """Thickness of the coating of body 1.
+    default: none; allowed: a number > 0 and <= 1 m"""
+    coating2_E: float | str
+    """Young's modulus of an elastic coating bonded to body 2. Give it with its nu and thickness, and E1, nu1, E2 and nu2 of the bodies below. The scales E', a, p_h, M and L are then those of uncoated bodies that yield about as much.
+    default: none; allowed: a number > 0 Pa"""
+    coating2_nu: float | str
+    """Poisson's ratio of the coating of body 2.
+    default: none; allowed: a number > -1 and <= 0.5"""
+    coating2_thickness: float | str
+    """Thickness of the coating of body 2.
+    default: none; allowed: a number > 0 and <= 1 m"""
     radius_ratio: float | str
     """R_x/R_y, the reduced radius in the rolling direction over the one across it. Below 1 the contact is an ellipse that is wider than long. It may be given with each of the three ways; groups, Hertz radii and scales are defined with R_x.
     default: 1 (circular contact), or from radius_y; allowed: a number >= 0.005 and <= 200"""
