@@ -137,21 +137,13 @@ using Names = std::vector<std::string>;
 
 const Names names_in_moes{"M", "L"};
 const Names names_in_hamrock_dowson{"W", "U", "G"};
-const Names names_in_si{"load",
-                        "load_per_length",
-                        "radius_x",
-                        "radius_y",
-                        "E1",
-                        "nu1",
-                        "E2",
-                        "nu2",
-                        "E_prime",
-                        "coating1_E",
-                        "coating1_nu",
-                        "coating1_thickness",
-                        "coating2_E",
-                        "coating2_nu",
-                        "coating2_thickness"};
+Names with_coatings(Names names) {
+  for (const char* body : {"1", "2"})
+    for (const char* part : {"_E", "_nu", "_thickness"}) names.push_back(std::string("coating") + body + part);
+  return names;
+}
+const Names names_in_si =
+    with_coatings({"load", "load_per_length", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"});
 const Names four_moduli{"E1", "nu1", "E2", "nu2"};
 
 Language language_of(const deck::Part& contact) {

@@ -281,11 +281,7 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
   const double began = core::now();
   const steady::Scene own = scene_in_time(scene, conditions);
-  const kernel::Kernel kernel = steady::geometry_of(own).kernel;
-  // A line contact has its unit of length where the kernel vanishes.
-  const double of_unit = kernel.plane ? -kernel.factor * contact::load(own.contact.shape) *
-                                            kernel::at_distance(kernel, own.deformation.line_unit)
-                                      : 0.0;
+  const double of_unit = shift_of_unit(own);
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "steady/multigrid_solve.hpp"
+
 namespace ehl::transient {
+
 steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& conditions) {
   steady::Scene scene = steady;
   scene.use_symmetry = steady.use_symmetry && symmetric(conditions);
@@ -22,6 +25,12 @@ steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& condi
     relaxation.far_squeeze_of_zone = conditions.tuning.far_squeeze_of_line;
   }
   return scene;
+}
+
+double shift_of_unit(const steady::Scene& scene) {
+  const kernel::Kernel kernel = steady::geometry_of(scene).kernel;
+  if (!kernel.plane) return 0.0;
+  return -kernel.factor * contact::load(scene.contact.shape) * kernel::at_distance(kernel, scene.deformation.line_unit);
 }
 
 }  // namespace ehl::transient

@@ -12,9 +12,8 @@ namespace {
 
 const std::vector<KeyName> callers{{"contact", "coating1_E"}, {"contact", "coating2_E"}};
 
-bool on(const Case& input) {
-  return std::ranges::any_of(callers,
-                             [&](const KeyName& key) { return deck::given(input.deck, key.section, key.name); });
+bool asked(const deck::Deck& deck) {
+  return std::ranges::any_of(callers, [&](const KeyName& key) { return deck::given(deck, key.section, key.name); });
 }
 
 void refuse(deck::Deck& deck) {
@@ -31,7 +30,7 @@ void refuse(deck::Deck& deck) {
 
 // The coatings of the scene, with all lengths in a.
 void enter(Case& input) {
-  if (!on(input) || !input.physics.si) return;
+  if (!asked(input.deck) || !input.physics.si) return;
   refuse(input.deck);
   const SiInput& si = *input.physics.si;
   if (!input.deck.errors.empty() || si.coatings.empty()) return;
@@ -66,7 +65,7 @@ Effect coating_effect() {
           .meaning = "Elastic coatings bonded to the bodies.",
           .callers = callers,
           .stages = {.scene = enter},
-          .on = on,
+          .on = [](const Case& input) { return !input.scene.coatings.parts.empty(); },
           .what = what,
           .example = {"-contact.M", "-contact.L", "contact.load=20", "contact.radius_x=0.01", "contact.E1=210e9",
                       "contact.nu1=0.3", "contact.E2=210e9", "contact.nu2=0.3", "contact.coating1_E=400e9",

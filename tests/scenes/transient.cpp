@@ -11,6 +11,7 @@
 
 namespace {
 
+using support::contains;
 using support::rows_of;
 
 const std::string contact = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
@@ -18,8 +19,6 @@ const std::string grid = "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet =
 const std::string steel =
     "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.045\nu2 = 0.135\n"
     "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
-
-using support::contains;
 
 }  // namespace
 
@@ -284,8 +283,7 @@ BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
   const auto fields = rows_of(support::ehl(folder, "extract d.h5 /transient/frames/time").out);
   BOOST_TEST_MESSAGE("the last checkpoint has " << before.size() << " rows, to time " << before.back()[0] << ", and "
                                                 << fields.size() << " fields");
-  BOOST_TEST(before.size() > 5u);
-  BOOST_TEST((fields.size() > 1u && fields.size() < 101u));
+  BOOST_TEST((before.size() > 5u && fields.size() > 1u && fields.size() < 101u));
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /checkpoint/y").out).size() == 2u * 65u * 33u + 1u);
   // A repetition ends in the same way and does no harm.
   const std::string resume = std::string("'") + EHL_PROGRAM + "' resume d.h5 --quiet";

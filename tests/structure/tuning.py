@@ -42,7 +42,7 @@ NOT_TUNED = {
         "start_of_heavy_line": "a start", "starts_of_heavy_lines": "a start", "start_of_ellipse": "a start",
         "starts_of_ellipses": "a start", "hardly_an_error": "definition of a warning",
         "unresolved_film": "definition of a warning", "most_nodes_of_newton": "memory",
-        "most_nodes_of_second_newton": "time",
+        "most_nodes_of_second_newton": "time", "directions": "quadrature", "steps": "quadrature",
     },
     "newton": {
         "krylov_vectors": "memory", "restarts": "memory", "leaf": "size of blocks", "most_dense": "time",
@@ -52,10 +52,10 @@ NOT_TUNED = {
         "samples": "check of an input", "unlimited": "IDA's", "tolerance": "IDA's", "rounding_of_time": "rounding",
         "parts_of_a_ramp": "definition of a ramp", "time_of_a_jump": "definition of a jump",
         "steep": "definition of a jump", "parts_of_a_period": "definition of a wave", "short_ramp": "definition of a ramp",
-        "window": "definition of rest",
+        "window": "definition of rest", "halvings": "bisection",
     },
     "heat": {
-        "usual": "display", "grids_below": "grids of an estimate", "of_rim": "definition of the spike's place",
+        "usual": "display", "share_of_isothermal": "display", "share_of_starved": "display", "grids_below": "grids of an estimate", "of_rim": "definition of the spike's place",
     },
 }
 

@@ -15,8 +15,8 @@ using mlmi::Method;
 
 namespace {
 
-// Largest difference of the default from the exact sum, in units of a^2/R where the bodies yield as much as a half-space
-// to the wave number 2/a.
+// Largest difference of the default from the exact sum, in units of a^2/R where the bodies yield as much as a
+// half-space to the wave number 2/a.
 double error_of(const core::Grid& grid, const Field& P, const kernel::Kernel& kernel) {
   Field exact(grid), w(grid);
   mlmi::Deformation(grid, {.method = Method::fft}, 1, kernel).evaluate(P, exact);

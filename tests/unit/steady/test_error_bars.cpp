@@ -269,6 +269,7 @@ BOOST_AUTO_TEST_CASE(one_level) {
   one.levels.back().nx = 60;
   one.levels.back().error_Hc = one.levels.back().error_Hm = unknown;
   Scene scene;
+  scene.contact = scales_of(20.0, 10.0);
   scene.grid = {120, 60, -4.5, 1.5, -1.0, 1.0};
   const ErrorBars second = error_bars_of(scene, one);
   BOOST_TEST(second.Hc.discretization == 0.85 * 0.16, tolerance(1e-12));

@@ -39,6 +39,7 @@ BOOST_AUTO_TEST_CASE(by_weights) {
   below.Hm_fitted = last.Hm_fitted * 1.127;
   solution.levels[2].nx = 60;
   Scene scene;
+  scene.contact = scales_of(20.0, 10.0);
   scene.grid = {60, 60, -4.0, 2.0, -3.0, 3.0};
   scene.far_field = true;
   solution.levels[0].Hc = 0.6;
