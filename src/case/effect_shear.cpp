@@ -59,7 +59,7 @@ std::string idle(const Case& input) {
   return carreau && carreau->n == 1.0 ? "n = 1 is a Newtonian oil" : "";
 }
 
-std::string summary(const Case& input, const Computed& computed) {
+std::string summary(const Case&, const Computed& computed) {
   if (!computed.flow) return "";
   const HeatResult& flow = *computed.flow;
   const heat::Row& row = flow.found.rows.back();
