@@ -62,11 +62,11 @@ std::string unmet_residual(const Measures& now, double residual, double load_err
   return {};
 }
 
-std::string unmet_balance(const Measures& now, double error_Hc) {
+std::string unmet_balance(const Measures& now, double mesh_error_Hc) {
   if (!(now.dry_violation <= largest_dry_violation))
     return "complementarity is violated: a cavitated node has the residual " + text(now.dry_violation) +
            " of the wedge term, above " + text(largest_dry_violation) + "; raise max_cycles";
-  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, largest_licence) : largest_licence;
+  const double licence = std::isfinite(mesh_error_Hc) ? std::min(mesh_error_Hc, largest_licence) : largest_licence;
   const double allowed = std::max(flow_share * licence, least_flow_licence);
   if (!(std::abs(now.flow_imbalance) <= allowed))
     return "mass is not conserved around the contact: the imbalance is " + text(now.flow_imbalance) +
@@ -97,8 +97,8 @@ double predicted_error(const LastCycle& cycle, double Measures::*value) {
 
 std::string unmet_film(const LastCycle& cycle) {
   std::string unmet = impossible(cycle.after);
-  if (unmet.empty()) unmet = unmet_share("Hc", predicted_error(cycle, &Measures::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share("Hm", predicted_error(cycle, &Measures::Hm), cycle.error_Hm);
+  if (unmet.empty()) unmet = unmet_share("Hc", predicted_error(cycle, &Measures::Hc), cycle.mesh_error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", predicted_error(cycle, &Measures::Hm), cycle.mesh_error_Hm);
   return unmet;
 }
 
@@ -114,11 +114,11 @@ std::string unmet_oil(const Measures& now) {
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
   const Measures& now = cycle.after;
   if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
-  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
+  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.mesh_error_Hc);
   const double asked = std::isfinite(tolerance) ? tolerance : default_tolerance;
   std::string unmet =
       by_tolerance ? unmet_residual(now, asked, asked) : unmet_residual(now, loose_residual, loose_load_error);
-  if (unmet.empty()) unmet = unmet_balance(now, cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_balance(now, cycle.mesh_error_Hc);
   if (by_tolerance) return unmet;
   return unmet.empty() ? unmet_film(cycle) : unmet;
 }
@@ -130,7 +130,7 @@ Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& l
     return {unmet_residual(now, criterion.of_start, std::numeric_limits<double>::infinity())};
   if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
   if (std::isnan(criterion.tolerance) && cycle < criterion.planned) return {"the planned cycles are not finished"};
-  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
+  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.mesh_error_Hc);
   return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance), no_solution(now)};
 }
 

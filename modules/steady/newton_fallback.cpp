@@ -56,7 +56,7 @@ void judge(multigrid::Run& run) {
     now = multigrid::measures_of(run.hierarchy, l);
   multigrid::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
   multigrid::observe(run, l);
-  const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
+  const judgement::LastCycle last{now, now, record.levels.back().mesh_error_Hc, record.levels.back().mesh_error_Hm};
   record.verification = judgement::verification_of(last);
   const double asked = run.hierarchy.parameters.tolerance;
   const double tolerance = std::isfinite(asked) ? asked : tolerance_on_the_way;

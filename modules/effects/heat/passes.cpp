@@ -85,8 +85,8 @@ bool cycle(multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
   last.first = first;
   const multigrid::LevelRow& row = run.record.levels.back();
   const double one_grid = judgement::error_of_one_grid(hierarchy.levels[l].grid.hx(), last.after.Hm, order);
-  last.error_Hc = std::isnan(row.error_Hc) ? one_grid : row.error_Hc;
-  last.error_Hm = std::isnan(row.error_Hm) ? one_grid : row.error_Hm;
+  last.mesh_error_Hc = std::isnan(row.mesh_error_Hc) ? one_grid : row.mesh_error_Hc;
+  last.mesh_error_Hm = std::isnan(row.mesh_error_Hm) ? one_grid : row.mesh_error_Hm;
   if (last.after.residual > multigrid::rough_factor * last.before.residual) run.damping.relax_after = true;
   return done && result.end != multigrid::CyclesEnd::diverged;
 }
