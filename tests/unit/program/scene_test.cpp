@@ -213,15 +213,16 @@ BOOST_AUTO_TEST_CASE(coatings_of_bodies) {
   BOOST_TEST(input.scene.coatings.parts.front().thickness() == 1e-5 / input.physics.si->hertz.a, tolerance(1e-14));
   BOOST_TEST((input.physics.si->contact.E_prime < E_prime && input.physics.si->contact.E_prime > of_thick));
 
-  const auto refused = [&](std::vector<std::string> overrides, const std::string& word) {
-    for (const char* key : {"contact.coating1_E=100e9", "contact.coating1_nu=0.2", "contact.coating1_thickness=1e-5"})
+  const auto refused = [&](std::vector<std::string> overrides, const std::string& word, const char* E = "100e9") {
+    for (const auto& key : {std::string("contact.coating1_E=") + E, std::string("contact.coating1_nu=0.2"),
+                            std::string("contact.coating1_thickness=1e-5")})
       overrides.insert(overrides.begin(), key);
     BOOST_CHECK_EXCEPTION(read(uncoated, overrides), core::InputError, [&](const core::InputError& error) {
       return std::string(error.what()).find(word) != std::string::npos;
     });
   };
   refused({"-contact.coating1_nu"}, "coating1_nu");
-  refused({"contact.coating1_E=1e7"}, "between 0.001 and 1000");
+  refused({}, "between 0.001 and 1000", "1e7");
   refused({"subsurface.depth=1"}, "[subsurface]");
   refused({"-contact.E1", "-contact.nu1", "-contact.E2", "-contact.nu2", "contact.E_prime=220e9"},
           "instead of E_prime");
