@@ -46,7 +46,10 @@ std::string said(const Assignment& given) {
 std::string unknown_section(const Catalogue& catalogue, const std::string& name) {
   if (const Unavailable* unavailable = find_unavailable(catalogue, name, "")) return unavailable->message;
   const std::vector<std::string> sections = section_names(catalogue);
-  return "unknown section: " + did_you_mean(name, sections) + "Sections are " + joined(sections, ", ");
+  std::vector<std::string> shown;
+  for (const Section& section : catalogue.sections)
+    if (!section.on_request) shown.push_back(section.name);
+  return "unknown section: " + did_you_mean(name, sections) + "Sections are " + joined(shown, ", ");
 }
 
 constexpr std::size_t most_of_a_kind = 20;  // number of errors of one kind that are listed

@@ -71,7 +71,7 @@ CONSTANT = re.compile(
 def numbers_of(header):
     """The numbers of a tuning.hpp: kind, name, default, meaning, row."""
     found = []
-    for line in header.read_text().splitlines():
+    for line in re.sub(r" =\n\s+", " = ", header.read_text()).splitlines():  # a long line is wrapped before its value
         if match := NUMBER.match(line):
             found.append(list(match.groups()))
     module = header.parent.name
@@ -126,6 +126,9 @@ def findings(header):
     if bare(header.with_suffix(".cpp").read_text()) != bare(table_of(header)):
         yield f"{header.with_suffix('.cpp').relative_to(ROOT)} is not what tuning.hpp says: tuning.py --write"
     place = str(header.relative_to(ROOT / "modules"))
+    declared = len(re.findall(r"^  core::\w+ \w+ =", header.read_text(), re.M))
+    if declared != len(numbers):
+        yield f"{place}: {declared - len(numbers)} numbers cannot be read: write kind, name, value and meaning on a line"
     rows = rows_of_bench()
     for _, name, _, _, row in numbers:
         if rows.get(row) != place:
