@@ -60,6 +60,7 @@ Window contact_window(const ResultView& view, const FieldOnGrid& field) {
 
 Axis film_scale(const ResultView& view, const std::vector<FieldOnGrid>& films) {
   // The scale follows the film inside the contact: within half a Hertz radius of the centre, and at the minimum.
+  const double a = view.radius(), b = a * view.reach_y();  // read from the file once, not for every node
   std::vector<double> inside;
   double least = std::numeric_limits<double>::infinity();
   for (const FieldOnGrid& film : films)
@@ -67,7 +68,7 @@ Axis film_scale(const ResultView& view, const std::vector<FieldOnGrid>& films) {
       for (std::size_t i = 0; i < film.x.values.size(); ++i) {
         if (!std::isfinite(film.at(i, j))) continue;
         least = std::min(least, film.at(i, j));
-        const double X = film.x.values[i] / view.radius(), Y = film.y.values[j] / (view.radius() * view.reach_y());
+        const double X = film.x.values[i] / a, Y = film.y.values[j] / b;
         if (X * X + Y * Y < 0.8) inside.push_back(film.at(i, j));
       }
   if (inside.empty()) return {0.0, 1.0, false, view.film_words()};
