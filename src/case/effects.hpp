@@ -33,7 +33,7 @@ enum class Extent {
   whole,    ///< also the run in time
 };
 
-/// What the caller of the pipeline (run/pipeline.hpp) asks for, and what it is told on the way.
+/// What the caller of the pipeline (run/pipeline.hpp) asks for, and how it follows the computation.
 struct RunSettings {
   Progress& progress;
   Extent extent = Extent::whole;
@@ -77,7 +77,7 @@ struct Effect {
   std::vector<KeyName> callers{};                         ///< keys that enable it; effects() adds those of sections
   KeyName costly{};                                       ///< key that determines its memory; empty: first caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: the keys are declared by another module
-  numbers::Group (*numbers)() = nullptr;                  ///< its numbers in the registry, behind those of the registry
+  numbers::Group (*numbers)() = nullptr;                  ///< its numbers, added to the registry
   void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports its errors; scene exists
   Stages stages{};                                        ///< when the pipeline calls it
   bool (*on)(const Case& input) = nullptr;                ///< must be set
@@ -106,7 +106,7 @@ std::vector<Effect> effects_of(const Case& input);
 /// Reads the settings of every effect into the case. Errors are added to its deck.
 void read_effects(Case& input);
 
-/// The cost of a run in time.
+/// The cost of a run in time, of which moving surfaces are a share.
 Needs expense_in_time(const Case& input);
 /// The friction of a solution, as the case asks for it, else without the cavitated region. in: film: the temperature
 /// and viscosity fields of heat or flow thinning, or nullptr.

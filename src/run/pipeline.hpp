@@ -29,7 +29,7 @@ results::Content whole_content(const Case& input, const Computed& computed);
 
 /// The report of `ehl run`. in: profile: whether to print the time of each part.
 std::string printed(const Case& input, const Computed& computed, bool profile);
-/// The same as a JSON object, also of a case without solution.
+/// The JSON object of `ehl run --json`, also of a case without solution.
 std::string json_of(const Case& input, const Computed& computed);
 /// The report of `ehl check`.
 std::string derived_of(const Case& input);

@@ -34,6 +34,21 @@ std::vector<SourceFile> all_sources() {
   return files;
 }
 
+// The lines, without their comments, on which a text stands.
+std::vector<std::string> places_of(const std::string& text, const std::vector<SourceFile>& files) {
+  std::vector<std::string> places;
+  for (const SourceFile& file : files) {
+    std::istringstream lines(file.text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      if (line.substr(0, line.find("//")).find(text) != std::string::npos)
+        places.push_back(file.path.string() + ":" + std::to_string(number));
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_reader_reads) {
@@ -165,6 +180,18 @@ BOOST_AUTO_TEST_CASE(the_wings_of_the_program_point_one_way) {
                 file.path.parent_path() == "src/case/numbers"),
                file.path);
   report(wing_offences(files));
+}
+
+// Run, sweep, study and the C interface take one way from a case to its numbers, so that each solver is called once.
+BOOST_AUTO_TEST_CASE(the_program_calls_each_solver_at_one_place) {
+  const SourceFile twice{"src/run/a.cpp", "src", "steady::solve(a);\n// steady::solve(b)\nx = steady::solve(c);\n"};
+  BOOST_TEST(places_of("steady::solve(", {twice}).size() == 2);
+  const std::vector<SourceFile> files = read_sources(root, "src");
+  for (const char* solver : {"steady::solve(", "heat::solve_coupled(", "dry::solve(", "transient::march("}) {
+    const std::vector<std::string> places = places_of(solver, files);
+    BOOST_TEST(places.size() == 1, solver << " stands at " << places.size() << " places");
+    for (const std::string& place : places) BOOST_TEST_MESSAGE(solver << "...) at " << place);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(headers_are_guarded_and_in_their_namespace) {

@@ -5,7 +5,7 @@
 
 #include "base/json.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/records.hpp"
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
 #include "steady/solve.hpp"
 
@@ -46,8 +46,11 @@ numbers::Group toy_numbers() {
   numbers::Group group{.name = "toy"};
   group.asked = [](const deck::Deck& deck) { return deck::given(deck, "toy", "steepest"); };
   group.on = [](numbers::Of s) { return on(s.input); };
-  group.numbers = {numbers::number("steepest_slope", "p_h/a", "largest slope of the pressure along x",
-                                   numbers::column(799), [](numbers::Of s) { return steepest(s.computed.solution); })};
+  group.numbers = {{.name = "steepest_slope",
+                    .unit = "p_h/a",
+                    .meaning = "largest slope of the pressure along x",
+                    .value = [](numbers::Of s) { return steepest(s.computed.solution); },
+                    .column = {.place = 799}}};
   return group;
 }
 
