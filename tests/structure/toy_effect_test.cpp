@@ -1,8 +1,8 @@
 // A new effect touches at most three existing files, and the pipeline calls it at the stages of its record.
 //
-// The effect of this test touches one, src/case/effect_list.cpp, with two lines: this program links its own copy of
-// that file. Deck, check, run, sweep, JSON and result file know the effect from there. An effect with a module of its
-// own touches modules/CMakeLists.txt too, and one that keeps fields or settings src/case/computed.hpp.
+// The effect of this test touches one, src/case/effect_list.cpp, with two lines: this program links a copy of that file
+// with these lines. Deck, check, run, sweep, JSON and result file know the effect from there. An effect with a module
+// of its own touches modules/CMakeLists.txt too, and one that keeps fields src/case/computed.hpp.
 #include "structure/toy_effect.hpp"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ Computed solved(const program::Case& input, Extent extent) {
   return computed;
 }
 
-std::vector<std::string> lines_of(const std::string& path) {
-  std::istringstream text(house::read_text(std::filesystem::path(EHL_SOURCE_DIR) / path));
+std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  std::istringstream text(house::read_text(path));
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
   return lines;
@@ -53,8 +53,8 @@ std::vector<std::string> lines_of(const std::string& path) {
 BOOST_AUTO_TEST_SUITE(test_toy_effect)
 
 BOOST_AUTO_TEST_CASE(it_adds_two_lines_to_one_existing_file) {
-  const std::vector<std::string> before = lines_of("src/case/effect_list.cpp");
-  std::vector<std::string> after = lines_of("tests/structure/toy_list.cpp");
+  const std::vector<std::string> before = lines_of(EHL_SOURCE_DIR "/src/case/effect_list.cpp");
+  std::vector<std::string> after = lines_of(EHL_TOY_LIST);
   const std::size_t added = after.size() - before.size();
   BOOST_TEST_MESSAGE(added << " lines added to one file (2 allowed)");
   BOOST_TEST(std::erase_if(after, [](const std::string& line) { return contains(line, "toy_effect()"); }) == 2u);
