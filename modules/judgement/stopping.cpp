@@ -36,11 +36,11 @@ std::string unmet_residual(const Measures& now, double residual, double load_err
   return {};
 }
 
-std::string unmet_balance(const Tuning& tuning, const Measures& now, double error_Hc) {
+std::string unmet_balance(const Tuning& tuning, const Measures& now, double mesh_error_Hc) {
   if (!(now.dry_violation <= tuning.largest_dry_violation))
     return "complementarity is violated: a cavitated node has the residual " + text(now.dry_violation) +
            " of the wedge term, above " + text(tuning.largest_dry_violation) + "; raise max_cycles";
-  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, tuning.largest_licence) : tuning.largest_licence;
+  const double licence = std::isfinite(mesh_error_Hc) ? std::min(mesh_error_Hc, tuning.largest_licence) : tuning.largest_licence;
   const double allowed = std::max(tuning.flow_share * licence, tuning.least_flow_licence);
   if (!(std::abs(now.flow_imbalance) <= allowed))
     return "mass is not conserved around the contact: the imbalance is " + text(now.flow_imbalance) +
@@ -73,8 +73,8 @@ double predicted_error(const Tuning& tuning, const LastCycle& cycle, double Meas
 
 std::string unmet_film(const Tuning& tuning, const LastCycle& cycle) {
   std::string unmet = impossible(cycle.after);
-  if (unmet.empty()) unmet = unmet_share(tuning, "Hc", predicted_error(tuning, cycle, &Measures::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share(tuning, "Hm", predicted_error(tuning, cycle, &Measures::Hm), cycle.error_Hm);
+  if (unmet.empty()) unmet = unmet_share(tuning, "Hc", predicted_error(tuning, cycle, &Measures::Hc), cycle.mesh_error_Hc);
+  if (unmet.empty()) unmet = unmet_share(tuning, "Hm", predicted_error(tuning, cycle, &Measures::Hm), cycle.mesh_error_Hm);
   return unmet;
 }
 
@@ -90,11 +90,11 @@ std::string unmet_oil(const Tuning& tuning, const Measures& now) {
 std::string unmet_check(const Tuning& tuning, const LastCycle& cycle, double tolerance) {
   const Measures& now = cycle.after;
   if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
-  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
+  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.mesh_error_Hc);
   const double asked = std::isfinite(tolerance) ? tolerance : tuning.default_tolerance;
   std::string unmet = by_tolerance ? unmet_residual(now, asked, asked)
                                    : unmet_residual(now, tuning.loose_residual, tuning.loose_load_error);
-  if (unmet.empty()) unmet = unmet_balance(tuning, now, cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_balance(tuning, now, cycle.mesh_error_Hc);
   if (by_tolerance) return unmet;
   return unmet.empty() ? unmet_film(tuning, cycle) : unmet;
 }
@@ -106,7 +106,7 @@ Verdict judged(const Tuning& tuning, const StoppingCriterion& criterion, int cyc
     return {unmet_residual(now, criterion.of_start, std::numeric_limits<double>::infinity())};
   if (criterion.aim == Aim::first_start && settled(tuning, cycle, last.before, now)) return {};
   if (std::isnan(criterion.tolerance) && cycle < criterion.planned) return {"the planned cycles are not finished"};
-  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
+  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.mesh_error_Hc);
   return {only_a_start ? unmet_film(tuning, last) : unmet_check(tuning, last, criterion.tolerance),
           no_solution(tuning, now)};
 }

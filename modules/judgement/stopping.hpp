@@ -12,8 +12,8 @@ namespace ehl::judgement {
 struct LastCycle {
   Measures before;
   Measures after;
-  double error_Hc = 0.0;  ///< estimated relative discretization error; NaN if unknown
-  double error_Hm = 0.0;
+  double mesh_error_Hc = 0.0;  ///< estimated relative discretization error; NaN if unknown
+  double mesh_error_Hm = 0.0;
   bool first = false;  ///< true for the first cycle after an interpolation, whose change predicts little
 };
 

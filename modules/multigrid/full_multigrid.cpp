@@ -43,7 +43,7 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
 /// film, and then has no coarser solution to compare with. If the error bound of this mesh alone is at least as large
 /// as the film, it is returned instead: such a solution needs no small residual.
 DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
-  const DiscretizationError known{run.record.levels.back().error_Hc, run.record.levels.back().error_Hm};
+  const DiscretizationError known{run.record.levels.back().mesh_error_Hc, run.record.levels.back().mesh_error_Hm};
   const core::Patch& grid = run.hierarchy.levels[l].grid;
   if (l != run.finest() || std::isfinite(known.Hc) || !grid.domain.line) return known;
   const double order = reynolds::order(run.hierarchy.problem.transport.wedge);

@@ -99,8 +99,8 @@ void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement
   const judgement::ErrorEstimate Hc = error_of(hierarchy, record, &LevelRow::Hc);
   row.order_Hc = Hc.order;
   const judgement::FilmErrors errors = film_errors(hierarchy, record, Hc);
-  row.error_Hc = errors.Hc;
-  row.error_Hm = errors.Hm + std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
+  row.mesh_error_Hc = errors.Hc;
+  row.mesh_error_Hm = errors.Hm + std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
 }
 
 void observe(Run& run, std::size_t l) {

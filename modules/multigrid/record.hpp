@@ -16,10 +16,10 @@ struct LevelRow {
   int level = 0;
   int nx = 0;  ///< cells
   int ny = 0;
-  double Hc = 0.0;        ///< H at (0,0)
-  double Hm = 0.0;        ///< minimum of H over the nodes
-  double error_Hc = 0.0;  ///< relative discretization error, estimated; NaN where the sequence is too short
-  double error_Hm = 0.0;
+  double Hc = 0.0;             ///< H at (0,0)
+  double Hm = 0.0;             ///< minimum of H over the nodes
+  double mesh_error_Hc = 0.0;  ///< relative discretization error, estimated; NaN where the sequence is too short
+  double mesh_error_Hm = 0.0;
   double order_Hc = 0.0;           ///< observed order; NaN where unknown
   double Hm_fitted = 0.0;          ///< minimum of H between the nodes (fitted_minimum.hpp)
   double P_max = 0.0;              ///< over the nodes

@@ -41,7 +41,7 @@ struct MeshError {
 };
 MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
-  if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
+  if (std::isfinite(row.mesh_error_Hc)) return {row.mesh_error_Hc, row.mesh_error_Hm, row.mesh_error_Hm - of_node};
   const judgement::Tuning& judged = scene.solver.judgement;
   const double step = step_in_shape(scene, row.nx);
   const double error = judgement::error_of_one_grid(judged, step, row.Hm_fitted, order);

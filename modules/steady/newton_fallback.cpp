@@ -54,7 +54,7 @@ void judge(const Scene& scene, multigrid::Run& run) {
     now = multigrid::measures_of(run.hierarchy, l);
   multigrid::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
   multigrid::observe(run, l);
-  const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
+  const judgement::LastCycle last{now, now, record.levels.back().mesh_error_Hc, record.levels.back().mesh_error_Hm};
   record.verification = judgement::verification_of(tuning, last);
   const double asked = run.hierarchy.parameters.tolerance;
   const double tolerance = std::isfinite(asked) ? asked : scene.tuning.newton_on_the_way;

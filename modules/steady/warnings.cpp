@@ -106,7 +106,7 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
                         "the minimum of the film lies between the nodes and is negative there: the mesh does not "
                         "resolve it; use at least " +
                             std::to_string(2 * last.nx) + " cells"});
-  else if (std::isnan(last.error_Hc))
+  else if (std::isnan(last.mesh_error_Hc))
     warnings.push_back(
         {"one-level", "the error estimate is rough, because the film was computed on a single level; use at least " +
                           std::to_string(2 * last.nx) + " cells"});

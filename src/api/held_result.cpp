@@ -160,7 +160,7 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
     if (const HeldEntry* warnings = found(result, numbers::path_of(id::warnings)))
       result.warnings = lines_of(warnings->entry.text);
     const HeldEntry* converged = found(result, numbers::path_of(id::converged));
-    const HeldEntry* in_time = found(result, numbers::path_of(id::transient_completed));
+    const HeldEntry* in_time = found(result, numbers::path_of(id::completed));
     const HeldEntry* why = found(result, numbers::path_of(id::failed_check));
     if (converged == nullptr || converged->values == nullptr)
       throw core::FileError(path + ": the file is damaged: it does not state whether it converged");
@@ -169,7 +169,7 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
       result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("the reason is unknown")));
     } else if (in_time != nullptr && in_time->values != nullptr && *in_time->values != 1.0) {
       result.status = not_converged;
-      const HeldEntry* ended = found(result, numbers::path_of(id::transient_ended));
+      const HeldEntry* ended = found(result, numbers::path_of(id::ended));
       result.messages.push_back("the run in time is not complete" + (ended ? ": " + ended->entry.text : std::string()));
     }
   });

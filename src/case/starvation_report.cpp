@@ -59,9 +59,9 @@ bool shown(int pass, int passes) {
 
 std::string pass_table(const Case& input, const steady::Solution& solution) {
   const bool in_SI = input.physics.si.has_value();
-  std::string text =
-      fmt::format("passes            r  factor  {:>9}  {:>9}    p_max  meniscus       left  thin layers  steps\n",
-                  in_SI ? "h_c [nm]" : id::Hc, in_SI ? "h_m [nm]" : id::Hm);
+  std::string text = fmt::format(
+      "passes            r  factor  {:>9}  {:>9}  {:>7}  meniscus       left  thin layers  steps\n",
+      in_SI ? numbers::heading_in_si(id::hc) : id::Hc, in_SI ? numbers::heading_in_si(id::hm) : id::Hm, id::P_max);
   const auto film = [&](double H) {
     return in_SI ? fmt::format("{:9.2f}", 1e9 * input.physics.si->hertz.h_scale * H) : fmt::format("{:9.5f}", H);
   };

@@ -64,7 +64,7 @@ std::string why_they_touch(const Case& input) {
   const double Sq = roughness_on_mesh(input);
   if (!(Sq > film)) return {};
   return fmt::format(
-      "the surfaces touch: the measured roughness Sq = {} exceeds the smallest film of smooth surfaces, {} (lambda "
+      "the surfaces touch: the measured roughness Sq = {} exceeds the minimum film of smooth surfaces, {} (lambda "
       "ratio {:.2g}), and asperity contact is not computed; remove short waves with {}, or use a smooth {}. Only the "
       "first strategy was tried; [continuation] path = load tries more",
       height_text(input, Sq), height_text(input, film), film / Sq,

@@ -88,8 +88,8 @@ std::vector<double> credible(const results::ResultFile& file, const std::string&
 std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string why = "command line: " + file.path() + " has no checkpoint: ";
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
-  if (credible(file, numbers::path_of(id::transient_completed)) == std::vector{1.0}) return why + "its run is complete";
-  const std::string ended = numbers::path_of(id::transient_ended);  // files of earlier versions lack it
+  if (credible(file, numbers::path_of(id::completed)) == std::vector{1.0}) return why + "its run is complete";
+  const std::string ended = numbers::path_of(id::ended);  // files of earlier versions lack it
   const bool told = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
              ? why + "its run was not interrupted but ended because it could not continue" +
@@ -171,8 +171,8 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
       if (one.name == id::converged) one.value = false;
       if (one.name == id::failed_check) one.value = why;
     }
-  content.summary.push_back(numbers::given(id::transient_completed, completed(result)));
-  content.summary.push_back(numbers::given(id::transient_ended, how_it_ended(result.report)));
+  content.summary.push_back(numbers::given(id::completed, completed(result)));
+  content.summary.push_back(numbers::given(id::ended, how_it_ended(result.report)));
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 

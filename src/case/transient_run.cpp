@@ -8,7 +8,7 @@
 
 #include "base/signals.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/names.hpp"
+#include "case/numbers/number.hpp"
 #include "case/transient_input.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -77,8 +77,9 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
   const SiScales scales = si_scales(input.physics).value_or(SiScales{});
   const SiUnit nm = si_unit("a^2/R", scales), GPa = si_unit("p_h", scales);
   const auto line = [&](const Told& told, auto value) { return range_line(input, told, rows, value); };
-  std::string text = line({id::Hc, "h_c", nm}, &StepRow::Hc) + line({id::Hm, "h_m", nm}, &StepRow::Hm) +
-                     line({id::P_max, id::p_max, GPa}, &StepRow::P_max);
+  std::string text = line({id::Hc, numbers::symbol_of(id::hc), nm}, &StepRow::Hc) +
+                     line({id::Hm, numbers::symbol_of(id::hm), nm}, &StepRow::Hm) +
+                     line({id::P_max, numbers::symbol_of(id::p_max), GPa}, &StepRow::P_max);
   if (input.transient->conditions.body) {
     const double load = input.physics.si ? input.physics.si->contact.load : 1.0;
     text +=

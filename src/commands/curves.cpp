@@ -117,7 +117,9 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
   text("x_words", with_unit(table, wanted.x));
   text("y_words", words_of_all(table, wanted.y));
   const bool both = wanted.y.size() > 1;
-  text("lambda_words", both ? "λ = h/S_q" : wanted.y[0] == films_in_si()[1] ? "λ = h_m/S_q" : "λ_c = h_c/S_q");
+  text("lambda_words", both                              ? "λ = h/S_q"
+                       : wanted.y[0] == films_in_si()[1] ? "λ = " + numbers::symbol_of(id::hm) + "/S_q"
+                                                         : "λ_c = " + numbers::symbol_of(id::hc) + "/S_q");
   const std::vector<std::string> in_si = films_in_si();
   number("roughness",
          std::ranges::all_of(wanted.y, [&](const auto& y) { return std::ranges::find(in_si, y) != in_si.end(); })

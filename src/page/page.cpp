@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/machine.hpp"
+#include "case/numbers/number.hpp"
 #include "page/markup.hpp"
 #include "page/section.hpp"
 #include "tables/csv.hpp"
@@ -95,8 +96,10 @@ std::string comparison(const std::vector<PageSection>& sections) {
   HtmlTable table{"Comparison: value ± error bar", {"file", "kind"}, {}, "numbers"};
   bool results = false;
   for (const PageSection& one : sections) results = results || one.compared.kind.find("run") == 0;
-  for (const char* column : compared_columns)
-    table.head.push_back(with_indices(std::string(column) == id::p_max ? "p_{max}" : column));
+  for (const char* column : compared_columns) {
+    const std::string& label = numbers::number_of(column).label;
+    table.head.push_back(with_indices(label.empty() ? column : label));
+  }
   for (std::size_t k = 0; k < sections.size(); ++k) {
     std::vector<std::string> row{fmt::format("<a href=\"#part{}\">", k + 1) +
                                      escaped(std::filesystem::path(sections[k].path).filename().string()) + "</a>",

@@ -108,7 +108,7 @@ std::string cycles_figure(const ResultView& view) {
   std::vector<double> cycle, both = residual;
   for (std::size_t k = 0; k < residual.size(); ++k) cycle.push_back(static_cast<double>(k + 1));
   both.insert(both.end(), load.begin(), load.end());
-  const Axis y = axis_of(both, "relative", true);
+  const Axis y = axis_of(both, "residual, load error (relative)", true);
   Drawing drawing({0.5, static_cast<double>(cycle.size()) + 0.5, false, "cycle, coarse to fine grids", true}, y);
   for (std::size_t k = 0; k < level.size(); ++k) {
     const bool begins = k == 0 || level[k] != level[k - 1];

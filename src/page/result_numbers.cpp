@@ -59,7 +59,7 @@ std::string program_words(const ResultView& view) {
 
 // Why a run in time ended early: "failed: the cycles did not converge."
 std::string ended_words(const ResultView& view) {
-  const std::string ended = view.text(path_of(id::transient_ended));  // files of earlier versions lack it
+  const std::string ended = view.text(path_of(id::ended));  // files of earlier versions lack it
   const std::string failed = "FAILED: ";
   return ended.starts_with(failed) ? "failed: " + ended.substr(failed.size()) + "."
          : view.has("/checkpoint") ? "was stopped before its end; `ehl resume` goes on with it."
@@ -93,8 +93,8 @@ std::string numbers_of_run(const ResultView& view) {
   const double domain = view.value(path_of(id::domain_error));
   if (domain > 0.0 && std::isfinite(domain) && view.converged)
     text += fmt::format(
-        "<p class=\"small\">Error bars cover mesh and cycles. Beside them the films change by about "
-        "{:.2g} % on a domain without end.</p>\n",
+        "<p class=\"small\">Error bars cover mesh and cycles, but not the size of the domain: on a domain without end "
+        "the films would be about {:.2g} % different.</p>\n",
         100.0 * domain);
   return text;
 }
@@ -129,14 +129,14 @@ std::string warnings_of(const ResultView& view) {
     const std::string check = view.text(path_of(id::failed_check));
     text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + " No number of this run is a result.</p>\n";
   }
-  if (view.value(path_of(id::transient_completed)) == 0.0)
+  if (view.value(path_of(id::completed)) == 0.0)
     text += "<p class=\"alarm\"><b>Not complete.</b> The run in time " + escaped(ended_words(view)) + "</p>\n";
   for (const std::string& name : view.source.file.names("/summary"))
     if (name.ends_with("warnings")) text += paragraphs(view.text("/summary/" + name), "warning", "<b>Warning:</b> ");
   if (view.has("/subsurface"))
     text += paragraphs(view.source.file.attribute("/subsurface", "warnings"), "warning", "<b>Warning:</b> ");
   return text.empty() ? "<p class=\"fine\">Converged: all checks passed. No warnings.</p>\n"
-         : view.converged && view.value(path_of(id::transient_completed)) != 0.0
+         : view.converged && view.value(path_of(id::completed)) != 0.0
              ? "<p class=\"fine\">Converged: all checks passed.</p>\n" + text
              : text;
 }
@@ -154,7 +154,9 @@ std::string table_of_file(const ResultView& view, const std::string& name) {
   for (std::string column; order >> column;) {
     const results::Array found = view.source.numbers(name + "/" + column);
     const std::string unit = with_indices(unit_words(found.unit));
-    table.head.push_back(escaped(column) + (unit.empty() ? "" : " [" + unit + "]"));
+    const std::string symbol = view.source.si ? numbers::symbol_in_si(column) : "";
+    table.head.push_back((symbol.empty() ? escaped(column) : with_indices(symbol)) +
+                         (unit.empty() ? "" : " [" + unit + "]"));
     columns.push_back(found.values);
   }
   std::size_t rows = columns.empty() ? 0 : columns[0].size();

@@ -13,8 +13,7 @@ struct Compared {
   std::string kind{};                ///< "run", "run in time", "sweep", "study"
   std::vector<std::string> cells{};  ///< markup; for a result file: the cells of `compared_columns`
 };
-constexpr const char* compared_columns[] = {"M",       "L",       "load", "u_m", "central film", "smallest film",
-                                            id::p_max, "friction"};
+constexpr const char* compared_columns[] = {id::M, id::L, id::load, "u_m", id::Hc_best, id::Hm_best, id::P_max, id::mu};
 
 struct PageSection {
   std::string title{};   ///< the title in the file

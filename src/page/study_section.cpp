@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/numbers/names.hpp"
+#include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "page/drawing.hpp"
@@ -96,12 +96,6 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
          "is not known.</p>\n";
 }
 
-// The last word of a label: "H_c" of "central film H_c".
-std::string film_symbol(const std::string& column) {
-  const std::string words = words_for(column);
-  return words.substr(words.rfind(' ') + 1);
-}
-
 // Errors of a film against seconds or cells, one curve per method.
 std::string errors_figure(const SweepData& table, const std::vector<std::string>& by, const std::string& along,
                           const std::string& x, const std::string& words_x, const std::string& name) {
@@ -112,7 +106,7 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
     ys.push_back(table.number(row, column));
   }
   if (std::ranges::none_of(ys, [](double e) { return e > 0.0; })) return "";
-  const std::string symbol = film_symbol(name);
+  const std::string symbol = numbers::symbol_of(name);
   Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
   std::vector<LegendEntry> legend;
   const auto variants = ways_of(table, by, along);

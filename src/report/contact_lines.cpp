@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/text_format.hpp"
-#include "case/numbers/names.hpp"
+#include "case/numbers/number.hpp"
 #include "contact/film_formulas.hpp"
 #include "report/film_fit.hpp"
 #include "report/outcome.hpp"
@@ -94,7 +94,7 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
   std::vector<std::vector<std::string>> rows{{"formulas"}};
   std::vector<std::size_t> widths{35};
   if (si) {
-    rows[0].insert(rows[0].end(), {"h_c [nm]", "", "h_m [nm]", ""});
+    rows[0].insert(rows[0].end(), {numbers::heading_in_si(id::hc), "", numbers::heading_in_si(id::hm), ""});
     widths = {33, 8, 9, 9, 9};
   }
   rows[0].insert(rows[0].end(), {id::Hc, id::Hm, "Hc (Moes)", "Hm (Moes)"});

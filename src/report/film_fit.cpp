@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/numbers/number.hpp"
 #include "contact/film_map.hpp"
 #include "report/report.hpp"
 #include "rheology/laws.hpp"
@@ -57,10 +58,10 @@ std::string fitted_film_line(const Physics& physics) {
   const bool isoviscous = L_star == 0.0;
   const contact::MapScatter off = isoviscous ? contact::scatter_of_film_map() : contact::scatter_of_other_oils();
   return fmt::format(
-      "  the error of the fit, with alpha*, is {:.1f} % in h_c and {:.1f} % in h_m (root mean square; at most {:.0f} "
+      "  the error of the fit, with alpha*, is {:.1f} % in {} and {:.1f} % in {} (root mean square; at most {:.0f} "
       "and {:.0f} %) for solutions{} not used in the fit\n",
-      100.0 * off.rms_central, 100.0 * off.rms_minimum, std::ceil(100.0 * off.largest_central),
-      std::ceil(100.0 * off.largest_minimum), isoviscous ? "" : " with oils");
+      100.0 * off.rms_central, numbers::symbol_of(id::hc), 100.0 * off.rms_minimum, numbers::symbol_of(id::hm),
+      std::ceil(100.0 * off.largest_central), std::ceil(100.0 * off.largest_minimum), isoviscous ? "" : " with oils");
 }
 
 }  // namespace ehl::program

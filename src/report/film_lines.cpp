@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 
 namespace ehl::program {
 namespace {
+
+using numbers::symbol_of;
 
 // A number that would be printed as -0.0000 becomes zero.
 double unsigned_zero(double x) { return std::abs(x) < 5e-5 ? 0.0 : x; }
@@ -32,27 +35,30 @@ std::string film_lines(const Case& input, const Computed& computed) {
   const steady::Estimate Hm = by_weights ? bars.Hm_best : steady::Estimate{outcome.Hm.value, bars.Hm.total()};
   const Place lowest = by_weights ? Place{Hm.value, bars.Hm_fitted_X, bars.Hm_fitted_Y} : outcome.Hm;
   const bool governs = domain > std::min(Hc.error, Hm.error);
-  const auto film = [&](const char* label, const char* symbol, double H, double H_moes, const Place& at, double error) {
+  // in: id and id_in_SI: the names of the film without and in SI.
+  const auto film = [&](const char* id, const char* id_in_SI, double H, double H_moes, const Place& at, double error) {
     const std::string errors = bar(error) + (governs ? " (domain " + percent(domain) + ")" : "");
-    const std::string own = fmt::format("H = {:.5f}{}, Moes {:.4f}, at ({:.3f}, {:.3f}) a{}\n", H, si ? "" : errors,
+    const std::string own = fmt::format(" = {:.5f}{}, Moes {:.4f}, at ({:.3f}, {:.3f}) a{}\n", H, si ? "" : errors,
                                         H_moes, at.X, at.Y, mark);
-    if (!si) return std::string(label) + own;
-    return label + (symbol + (" = " + film_text(H, *si))) + errors + ", at " + place_text(at.X, at.Y, *si) + "; " + own;
+    const std::string& label = numbers::number_of(si ? id_in_SI : id).label;
+    if (!si) return label + own;
+    return label + " = " + film_text(H, *si) + errors + ", at " + place_text(at.X, at.Y, *si) + "; " + symbol_of(id) +
+           own;
   };
   // The values at the nodes, as in the stored fields; printed only if they differ from the best estimates.
-  const auto beside = [&](const char* symbol, double H, double shown, double error) {
+  const auto beside = [&](const char* id, const char* id_in_SI, double H, double shown, double error) {
     if (H == shown) return std::string();
-    const std::string own = fmt::format("H = {:.5f}", H);
+    const std::string own = symbol_of(id) + fmt::format(" = {:.5f}", H);
     return "             on this mesh " +
-           (si ? symbol + (" = " + film_text(H, *si)) + bar(error) + "; " + own : own + bar(error)) + "\n";
+           (si ? symbol_of(id_in_SI) + " = " + film_text(H, *si) + bar(error) + "; " + own : own + bar(error)) + "\n";
   };
   const double moes = outcome.Hc_moes / outcome.Hc;
-  std::string text = film("centre       ", "h_c", Hc.value, moes * Hc.value, {}, Hc.error);
-  text += beside("h_c", outcome.Hc, Hc.value, bars.Hc.total());
-  text += film("minimum      ", "h_m", Hm.value, moes * Hm.value, lowest, Hm.error);
-  text += beside("h_m", outcome.Hm.value, Hm.value, bars.Hm.total());
+  std::string text = film(id::Hc, id::hc, Hc.value, moes * Hc.value, {}, Hc.error);
+  text += beside(id::Hc, id::hc, outcome.Hc, Hc.value, bars.Hc.total());
+  text += film(id::Hm, id::hm, Hm.value, moes * Hm.value, lowest, Hm.error);
+  text += beside(id::Hm, id::hm, outcome.Hm.value, Hm.value, bars.Hm.total());
   const Place& at = outcome.P_max;
-  text += "p_max        ";
+  text += fmt::format("{:<13}", symbol_of(id::p_max));
   if (si)
     text += pressure_in_GPa(at.value * si->p_h) + bar(bars.P_max) + ", at " + place_text(at.X, at.Y, *si) +
             fmt::format("; P = {:.5f}", at.value);
@@ -77,26 +83,31 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
     const auto& [Hc, Hm] = std::pair(bars.Hc_extrapolated, bars.Hm_extrapolated);
     const char* where = " (mesh size zero, this domain)";
     text += "extrapolated ";
-    text +=
-        si ? "h_c = " + film_text(Hc.value, *si) + bar(Hc.error) + ", h_m = " + film_text(Hm.value, *si) +
-                 bar(Hm.error) + where + fmt::format("; Hc = {:.6f}, Hm = {:.6f}\n", Hc.value, Hm.value)
-           : fmt::format("Hc = {:.6f}{}, Hm = {:.6f}{}{}\n", Hc.value, bar(Hc.error), Hm.value, bar(Hm.error), where);
+    const std::string H_c = symbol_of(id::Hc), H_m = symbol_of(id::Hm);
+    text += si ? fmt::format("{} = {}{}, {} = {}{}{}; {} = {:.6f}, {} = {:.6f}\n", symbol_of(id::hc),
+                             film_text(Hc.value, *si), bar(Hc.error), symbol_of(id::hm), film_text(Hm.value, *si),
+                             bar(Hm.error), where, H_c, Hc.value, H_m, Hm.value)
+               : fmt::format("{} = {:.6f}{}, {} = {:.6f}{}{}\n", H_c, Hc.value, bar(Hc.error), H_m, Hm.value,
+                             bar(Hm.error), where);
   }
   if (std::isfinite(bars.Hm_fitted_value)) {
     const double X = unsigned_zero(bars.Hm_fitted_X), Y = unsigned_zero(bars.Hm_fitted_Y);
     const std::string error = bar(bars.Hm_fitted.total()) + " between the nodes, at ";
     text += "fitted       ";
-    if (si) text += "h_m = " + film_text(bars.Hm_fitted_value, *si) + error + place_text(X, Y, *si) + "; ";
-    text += fmt::format("Hm = {:.6f}{}({:.4f}, {:.4f}) a{}\n", bars.Hm_fitted_value, si ? ", at " : error, X, Y,
-                        solution.converged ? "" : "  (NOT CONVERGED)");
+    if (si)
+      text += symbol_of(id::hm) + " = " + film_text(bars.Hm_fitted_value, *si) + error + place_text(X, Y, *si) + "; ";
+    text += fmt::format("{} = {:.6f}{}({:.4f}, {:.4f}) a{}\n", symbol_of(id::Hm), bars.Hm_fitted_value,
+                        si ? ", at " : error, X, Y, solution.converged ? "" : "  (NOT CONVERGED)");
   }
   if (std::isfinite(bars.Hc.discretization))
-    text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; not included: domain about {}\n",
-                        percent(bars.Hc.discretization), percent(bars.Hc.algebraic), percent(bars.Hm.discretization),
-                        percent(bars.Hm.algebraic), percent(bars.domain));
+    text +=
+        fmt::format("errors       {}: mesh {}, cycles {}; {}: mesh {}, cycles {}; not included: domain about {}\n",
+                    symbol_of(id::Hc), percent(bars.Hc.discretization), percent(bars.Hc.algebraic), symbol_of(id::Hm),
+                    percent(bars.Hm.discretization), percent(bars.Hm.algebraic), percent(bars.domain));
   const steady::AccuracyReport& accuracy = solution.accuracy;
   if (std::isfinite(accuracy.asked))
-    text += fmt::format("accuracy     {:.4g} % required for Hc and Hm: ", 100.0 * accuracy.asked) +
+    text += fmt::format("accuracy     {:.4g} % required for {} and {}: ", 100.0 * accuracy.asked, symbol_of(id::Hc),
+                        symbol_of(id::Hm)) +
             (!accuracy.met               ? "not reached because of " + accuracy.stopped_by
              : accuracy.by_extrapolation ? "reached by the extrapolated or fitted values, not by the nodal ones"
                                          : "reached") +
@@ -113,10 +124,10 @@ std::string verified_lines(const Case& input, const steady::Verification& checke
          : fmt::format("({:.3f}, {:.3f}) a", checked.largest_residual_X, checked.largest_residual_Y);
   return fmt::format(
       "verified     residual {}, largest {} at {}; load error {}; mass flow error {}\n"
-      "             least P {}, complementarity error {}; algebraic error Hc {}, Hm {}\n",
+      "             least P {}, complementarity error {}; algebraic error {} {}, {} {}\n",
       number(checked.residual), number(checked.largest_residual), where, number(checked.load_error),
       number(std::abs(checked.flow_imbalance)), known("{:.1g}", checked.least_P), number(checked.dry_violation),
-      number(checked.algebraic_error_Hc), number(checked.algebraic_error_Hm));
+      symbol_of(id::Hc), number(checked.algebraic_error_Hc), symbol_of(id::Hm), number(checked.algebraic_error_Hm));
 }
 
 }  // namespace ehl::program

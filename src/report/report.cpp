@@ -9,6 +9,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
+#include "case/numbers/number.hpp"
 #include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
@@ -28,33 +29,40 @@ std::string columns_in_nm(double Hc, double Hm, const std::optional<SiScales>& s
   return fmt::format("{:>8}  {:>8}  ", known("{:.2f}", 1e9 * si->h * Hc), known("{:.2f}", 1e9 * si->h * Hm));
 }
 
+// Their headings.
+std::string headings_in_nm(bool in_SI) {
+  if (!in_SI) return {};
+  return fmt::format("{:>8}  {:>8}  ", numbers::heading_in_si(id::hc), numbers::heading_in_si(id::hm));
+}
+
 }  // namespace
 
 std::string level_table(const Case& input, const steady::Solution& solution) {
   const std::optional<SiScales> si = si_scales(input.physics);
-  std::string text = std::string("level        nodes  ") + (si ? "h_c [nm]  h_m [nm]  " : "") +
-                     "      Hc        Hm  error(Hc)  error(Hm)  residual  load err  work units   seconds\n";
+  std::string text = fmt::format("level  {:>11}  {}{:>8}  {:>8}  {:>13}  {:>13}  {}  {}  {}  {:>8}\n", "nodes",
+                                 headings_in_nm(si.has_value()), id::Hc, id::Hm, id::mesh_error_Hc, id::mesh_error_Hm,
+                                 id::residual, id::load_error, id::work_units, id::seconds);
   const steady::ErrorBars& bars = solution.error_bars;
   for (const steady::LevelRow& row : solution.levels) {
     // The errors of the finest grid are those of its error bars; a coarser grid is judged by the grids below it alone.
     const bool judged = &row == &solution.levels.back() && std::isfinite(bars.Hc_best.value);
-    text += fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n",
+    text += fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>13}  {:>13}  {:8.0e}  {:10.0e}  {:10.1f}  {:8.3f}\n",
                         row.level, nodes(row.nx, row.ny), columns_in_nm(row.Hc, row.Hm, si), row.Hc, row.Hm,
-                        percent(judged ? bars.Hc.discretization : row.error_Hc),
-                        percent(judged ? bars.Hm.discretization : row.error_Hm), row.residual, row.load_error,
+                        percent(judged ? bars.Hc.discretization : row.mesh_error_Hc),
+                        percent(judged ? bars.Hm.discretization : row.mesh_error_Hm), row.residual, row.load_error,
                         row.work_units, row.seconds);
   }
   const bool has_order = !solution.levels.empty() && std::isfinite(solution.levels.back().order_Hc);
-  if (has_order) text += fmt::format("observed order of Hc: {:.2f}\n", solution.levels.back().order_Hc);
+  if (has_order) text += fmt::format("observed order of {}: {:.2f}\n", id::Hc, solution.levels.back().order_Hc);
   return text;
 }
 
 std::string continuation_table(const Case& input, const steady::Solution& solution) {
   if (solution.continuation.empty()) return {};
   const std::optional<SiScales> si = si_scales(input.physics);
-  std::string text = std::string("continuation        M  ") +
-                     (si ? "  load [N]  h_c [nm]  h_m [nm]  " : "load ratio  ") +
-                     "      Hc        Hm  residual  cycles\n";
+  std::string text =
+      fmt::format("continuation{:>9}  {:>10}  {}{:>8}  {:>8}  {}  {}\n", id::M, si ? "load [N]" : "load ratio",
+                  headings_in_nm(si.has_value()), id::Hc, id::Hm, id::residual, id::cycles);
   for (const steady::ContinuationStep& step : solution.continuation)
     text += fmt::format("{:21.6g}  {:10.4g}  {}{:>8}  {:>8}  {:>8}  {:6}{}\n", step.M,
                         si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio,

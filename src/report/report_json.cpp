@@ -15,7 +15,7 @@ namespace {
 std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& outcome) {
   std::vector<Column<Formula>> columns{{"name", "", "", &Formula::name},
                                        {id::Hc, "a^2/R", "central film", &Formula::Hc},
-                                       {id::Hm, "a^2/R", "smallest film", &Formula::Hm}};
+                                       {id::Hm, "a^2/R", "minimum film", &Formula::Hm}};
   const std::optional<SiScales> si = si_scales(input.physics);
   if (!si) return columns;
   const auto add_film = [&](const std::string& name, double Formula::*film, double computed) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 #include "case/touching.hpp"
 #include "report/film_fit.hpp"
 #include "report/outcome.hpp"
@@ -25,7 +26,8 @@ std::string height(const Case& input, double H) {
 }
 
 std::string film(const Case& input, const Roughness& rough) {
-  return "h_m " + height(input, rough.Hm) + (rough.from.empty() ? "" : " by " + rough.from + " for smooth surfaces");
+  return numbers::symbol_of(id::hm) + " = " + height(input, rough.Hm) +
+         (rough.from.empty() ? "" : " by " + rough.from + " for smooth surfaces");
 }
 
 // Sq in units of a^2/R; 0 if the surface is smooth or its roughness is not known.
@@ -57,9 +59,10 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
 
 std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness) return {};
-  const std::string text = "roughness    Sq = " + height(input, roughness->Sq) + " of both surfaces together";
-  if (std::isnan(roughness->Hm)) return text + "; no formula gives the smallest film of smooth surfaces\n";
-  return text + fmt::format("; lambda ratio {:.3g}: {} over it\n", roughness->lambda_ratio(), film(input, *roughness));
+  const std::string text = "roughness    S_q = " + height(input, roughness->Sq) + " of both surfaces together";
+  if (std::isnan(roughness->Hm)) return text + "; no formula gives the minimum film of smooth surfaces\n";
+  return text + fmt::format("; {} = {:.3g} with {}\n", numbers::number_of(id::lambda_ratio).label,
+                            roughness->lambda_ratio(), film(input, *roughness));
 }
 
 std::optional<core::Warning> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
@@ -68,7 +71,7 @@ std::optional<core::Warning> roughness_warning(const Case& input, const std::opt
   return core::Warning{
       "lambda",
       fmt::format(
-          "lambda ratio {:.2g} is below {:g}: the film {} is too thin to separate surfaces of roughness Sq = {}; {}",
+          "lambda ratio {:.2g} is below {:g}: the film {} is too thin to separate surfaces of roughness S_q = {}; {}",
           roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
           height(input, roughness->Sq),
           touch ? "they touch, and asperity contact is not computed" : "mixed lubrication is likely")};

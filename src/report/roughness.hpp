@@ -16,8 +16,8 @@ namespace ehl::program {
 /// source: Tallian (1967): lambda = h_m/sqrt(Sq1^2 + Sq2^2).
 std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formula>& formulas, double Hm);
 
-/// The printed line: "roughness    Sq = 22.4 nm of both surfaces; lambda ratio 6.42, h_m 143.9 nm over it"; empty for
-/// smooth surfaces.
+/// The printed line: "roughness    S_q = 22.4 nm of both surfaces together; lambda ratio h_m/S_q = 6.42 with h_m =
+/// 143.9 nm"; empty for smooth surfaces.
 std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness);
 
 /// The warning if the lambda ratio is below 3.

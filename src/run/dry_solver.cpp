@@ -63,8 +63,9 @@ std::string contact_lines(const ElasticContact& contact) {
 }
 
 std::string table(const dry::Solution& solution, const std::optional<SiScales>& si) {
-  std::string text = std::string("       nodes  ") + (si ? "p_max [GPa]  approach [nm]  " : "") +
-                     "   P_max  approach      area  gap error  iterations   seconds\n";
+  std::string text = fmt::format("       nodes  {}{:>8}  approach  {:>8}  {}  iterations  {:>8}\n",
+                                 si ? numbers::heading_in_si(id::p_max) + "  approach [nm]  " : "", id::P_max, id::area,
+                                 id::gap_error, id::seconds);
   for (const dry::GridRow& row : solution.rows)
     text +=
         fmt::format("{:>12}  {}{:8.5f}  {:8.5f}  {:8.5f}  {:9.0e}  {:10}  {:8.3f}\n",
@@ -86,7 +87,7 @@ std::string summary(const Case& input, const Computed& computed) {
   const dry::GridRow& last = solution.rows.back();
   std::string text = table(solution, si);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  text += "p_max        " +
+  text += fmt::format("{:<13}", numbers::symbol_of(id::p_max)) +
           both(si ? pressure_in_GPa(P_max.value * si->p_h) + ", at " + place_text(P_max.X, P_max.Y, *si) : "",
                fmt::format("P = {:.5f}, at ({:.3f}, {:.3f}) a{}\n", P_max.value, P_max.X, P_max.Y, mark));
   text += "approach     " + both(si ? length(-solution.H00 * si->h) : "",

@@ -7,7 +7,7 @@
 
 namespace ehl::program {
 
-/// The label without unit: "smallest film h_m", "central film h_c".
+/// The label without unit: "minimum film h_m", "central film h_c".
 std::string words_for(const std::string& column);
 
 /// The label with unit: "entrainment speed u_m [m/s]".

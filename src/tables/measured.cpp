@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "deck/text_table.hpp"
 #include "deck/units.hpp"
@@ -30,8 +31,8 @@ bool holds_films(const std::string& path) {
   return std::ranges::any_of(table.heading.cells, [](const std::string& text) {
     const deck::HeadingCell cell = deck::heading_cell(text);
     const deck::Unit* unit = deck::find_unit(cell.unit);
-    return (unit != nullptr && std::string_view(unit->si) == "m") || cell.name == "h" || cell.name == "h_c" ||
-           cell.name == "h_m" || cell.name == "film";
+    return (unit != nullptr && std::string_view(unit->si) == "m") || cell.name == "h" ||
+           cell.name == numbers::symbol_of(id::hc) || cell.name == numbers::symbol_of(id::hm) || cell.name == "film";
   });
 }
 
@@ -49,7 +50,8 @@ std::vector<MeasuredPoint> read_measured(const std::string& path) {
             : path +
                   ": holds films, and measured friction is wanted here: columns srr and mu. Films over speed are "
                   "compared by a sweep over both, e.g. `ehl sweep DECK --vary lubricant.alpha=14e-9:26e-9:4 --vary "
-                  "motion.u_m=0.02:1:8:log`, whose column h_c is to be set against them");
+                  "motion.u_m=0.02:1:8:log`, whose column " +
+                  numbers::column_in_si(id::hc) + " is to be set against them");
   const auto& table = std::get<deck::ColumnTable>(read);
   std::vector<MeasuredPoint> points;
   for (const deck::ColumnRow& row : table.rows) {

@@ -34,8 +34,8 @@ void take(const steady::Solution& solution, StudyPoint& point) {
   point.ny = finest.ny;
   point.Hc = finest.Hc;
   point.Hm = finest.Hm;
-  point.estimate_Hc = finest.error_Hc;
-  point.estimate_Hm = finest.error_Hm;
+  point.estimate_Hc = finest.mesh_error_Hc;
+  point.estimate_Hm = finest.mesh_error_Hm;
   point.residual = finest.residual;
   for (const steady::LevelRow& row : solution.levels)
     point.cycles_by_level += (point.cycles_by_level.empty() ? "" : ";") + std::to_string(row.cycles);

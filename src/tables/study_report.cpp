@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/text_format.hpp"
-#include "case/numbers/names.hpp"
+#include "case/numbers/number.hpp"
 #include "deck/text.hpp"
 #include "tables/csv.hpp"
 
@@ -34,7 +34,7 @@ std::string point_line(const StudyPoint& point, const Reference& reference, cons
   const std::string status = point.status == "converged" ? "" : point.status;
   const std::string fronts = fmt::format("{} {}", point.front_Hc ? id::Hc : "", point.front_Hm ? id::Hm : "");
   std::string line = fmt::format(
-      "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
+      "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>12}  {:>12}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
       point.variant.wedge, point.variant.evaluator, point.variant.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
       known("{:.5f}", point.Hm), error_text(point.deviation_Hc, point.at_reference_Hc, reference.Hc),
       error_text(point.deviation_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
@@ -43,8 +43,11 @@ std::string point_line(const StudyPoint& point, const Reference& reference, cons
 }
 
 std::string columns_of_points(const std::optional<SiScales>& si) {
-  return std::string("      nodes  wedge      evaluator  cycles  ") + (si ? "h_c [nm]  h_m [nm]  " : "") +
-         "      Hc        Hm  error(Hc)  error(Hm)  work units   seconds  status         front\n";
+  const std::string in_nm = si ? numbers::heading_in_si(id::hc) + "  " + numbers::heading_in_si(id::hm) + "  " : "";
+  return fmt::format(
+      "      nodes  wedge      evaluator  cycles  {}{:>8}  {:>8}  deviation_Hc  deviation_Hm  {}  {:>8}  "
+      "status         front\n",
+      in_nm, id::Hc, id::Hm, id::work_units, id::seconds);
 }
 
 std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, bool StudyPoint::*on_front,
@@ -179,8 +182,8 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
   std::string text = "case         " + header.title + "\n";
   text += "reference    ";
   if (header.si)
-    text += "h_c = " + film_text(reference.Hc.value, *header.si) +
-            ", h_m = " + film_text(reference.Hm.value, *header.si) + "; ";
+    text += numbers::symbol_of(id::hc) + " = " + film_text(reference.Hc.value, *header.si) + ", " +
+            numbers::symbol_of(id::hm) + " = " + film_text(reference.Hm.value, *header.si) + "; ";
   text += fmt::format("Hc = {:.7f} to {}, Hm = {:.7f} to {}\n", reference.Hc.value, percent(reference.Hc.error),
                       reference.Hm.value, percent(reference.Hm.error));
   text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),

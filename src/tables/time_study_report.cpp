@@ -30,7 +30,7 @@ std::string known_text(const TimeReference& reference) {
 std::string columns_of_tolerances(std::size_t probes) {
   std::string text = "    rtol   steps  cycles/step  rejected  not solved   seconds";
   for (const std::string& name : time_study_quantities(probes))
-    text += fmt::format("  {:>12}", fmt::format("error({})", name));
+    text += fmt::format("  {:>15}", "deviation_" + name);
   return text + "\n";
 }
 
@@ -41,7 +41,7 @@ std::string point_line(const TimeStudyPoint& point, const TimeReference& referen
                                  known("{:.2f}", point.seconds));
   if (!is_complete(point)) return text + "  NOT COMPLETE: " + point.reason + "\n";
   for (std::size_t k = 0; k < point.errors.size(); ++k)
-    text += fmt::format("  {:>12}", error_text(point.errors[k], reference.errors[k]));
+    text += fmt::format("  {:>15}", error_text(point.errors[k], reference.errors[k]));
   return text + "\n";
 }
 

@@ -69,7 +69,7 @@ void add_run(const Contact& contact, int cells, int threads, Series& series) {
   for (const steady::LevelRow& row : solution.levels)
     series.all_work_units += row.work_units * (row.nx + 1.0) * (row.ny + 1.0) / ((last.nx + 1.0) * (last.ny + 1.0));
   series.Hc = last.Hc;
-  series.error_Hc = last.error_Hc;
+  series.error_Hc = last.mesh_error_Hc;
   series.algebraic = solution.verification.algebraic_error_Hc;
   series.converged = solution.converged;
 }

@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(the_cells_that_a_warning_names_resolve_the_film) {
   const steady::LevelRow& row = coarse.levels.back();
   BOOST_TEST_REQUIRE(coarse.warnings.size() == 1u);
   BOOST_TEST_MESSAGE(coarse.warnings[0].text);
-  const int cells = steady::cells_that_resolve(256, std::max(row.error_Hc, row.error_Hm), reynolds::Wedge::upstream2);
+  const int cells =
+      steady::cells_that_resolve(256, std::max(row.mesh_error_Hc, row.mesh_error_Hm), reynolds::Wedge::upstream2);
   BOOST_TEST(coarse.warnings[0].text.find(std::to_string(cells) + " would bring") != std::string::npos);
   BOOST_TEST(cells > 256);
   const steady::Solution named = steady::solve(scene_of(2000.0, 5.0, cells));

@@ -1,6 +1,7 @@
 // Every number is declared once, in the registry: its name and its label stand nowhere else in the program.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -85,7 +86,8 @@ const std::map<std::string, std::string>& other_things() {
 struct Names {
   std::set<std::string> names;
   std::set<std::string> labels;
-  std::set<std::string> homes;  ///< groups of the result file
+  std::set<std::string> symbols;  ///< of numbers with a label: "h_c"
+  std::set<std::string> homes;    ///< groups of the result file
 };
 
 Names registered() {
@@ -97,13 +99,24 @@ Names registered() {
       all.names.insert(group.prefix + one.name);
       if (one.in_si.place > 0) all.names.insert(numbers::column_in_si(one.name));
       if (!one.label.empty()) all.labels.insert(one.label);
+      if (!one.label.empty() && one.in_si.place > 0) all.symbols.insert(one.in_si.symbol);
       if (!one.page.words.empty()) all.labels.insert(one.page.words);
     }
   }
   return all;
 }
 
-// Literals that are a number's name, a path that ends with it, or its label.
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+bool has_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_word(text[at - 1])) && (end == text.size() || !is_of_word(text[end]))) return true;
+  }
+  return false;
+}
+
+// Literals that are a number's name, a path that ends with it, or its label, or that contain its symbol.
 std::vector<std::string> offences(const std::vector<house::SourceFile>& files, const Names& known) {
   const std::set<std::string> words = words_of_decks();
   std::vector<std::string> found;
@@ -114,7 +127,9 @@ std::vector<std::string> offences(const std::vector<house::SourceFile>& files, c
           std::ranges::any_of(known.homes, [&](const std::string& of) { return literal.text.starts_with(of + "/"); });
       const std::string name = is_path ? literal.text.substr(literal.text.rfind('/') + 1) : literal.text;
       const bool is_name = known.names.contains(name) && !words.contains(name) && !other_things().contains(name);
-      if (is_name || known.labels.contains(literal.text))
+      const bool has_symbol =
+          std::ranges::any_of(known.symbols, [&](const std::string& symbol) { return has_word(literal.text, symbol); });
+      if (is_name || has_symbol || known.labels.contains(literal.text))
         found.push_back(file.path.generic_string() + ":" + std::to_string(literal.line) + ": \"" + literal.text + "\"");
     }
   }
@@ -133,8 +148,9 @@ BOOST_AUTO_TEST_CASE(the_reader_finds_literals) {
   BOOST_TEST(found[0].line == 3);
   BOOST_TEST(found[1].text == "/summary/Hm");
   BOOST_TEST(found[2].text == "a\\\"b");
-  const house::SourceFile bad{"src/page/a.cpp", "src", "f(\"Hc\", \"/summary/Hm\", \"central film h_c\", \"other\");"};
-  BOOST_TEST(offences({bad}, registered()).size() == 3);
+  const house::SourceFile bad{"src/page/a.cpp", "src",
+                              "f(\"Hc\", \"/summary/Hm\", \"central film h_c\", \"h_c = \", \"other\");"};
+  BOOST_TEST(offences({bad}, registered()).size() == 4);
   const house::SourceFile good{home + "a.cpp", "src", "f(\"Hc\");"};
   BOOST_TEST(offences({good}, registered()).empty());
 }
@@ -144,6 +160,25 @@ BOOST_AUTO_TEST_CASE(a_number_is_declared_once) {
   BOOST_TEST_MESSAGE(known.names.size() << " names and " << known.labels.size() << " labels in the registry");
   BOOST_TEST(known.names.size() > 100);
   for (const std::string& offence : offences(house::read_sources(root, "src"), known)) BOOST_ERROR(offence);
+}
+
+// A new number is one record: its name is written once in all of src, in the record or, where other parts ask for it,
+// in names.hpp, and once in each record whose error bar or symbol it is. All that shows numbers takes them from there.
+BOOST_AUTO_TEST_CASE(a_name_is_written_once) {
+  std::map<std::string, int> written, records;
+  for (const house::SourceFile& file : house::read_sources(root, "src"))
+    for (const Literal& literal : literals_of(file.text)) ++written[literal.text];
+  for (const numbers::Group& group : numbers::registry())
+    for (const numbers::Number& one : group.numbers)
+      for (const std::string& name : {one.error, one.in_si.symbol}) ++records[name];
+  const std::set<std::string> words = words_of_decks();
+  int names = 0;
+  for (const std::string& name : registered().names) {
+    if (words.contains(name) || other_things().contains(name)) continue;
+    BOOST_TEST(written[name] <= 1 + records[name], "\"" << name << "\" is written " << written[name] << " times");
+    ++names;
+  }
+  BOOST_TEST_MESSAGE(names << " names are written once");
 }
 
 // A word that no number has, or that decks have anyhow, needs no exception.

@@ -65,8 +65,8 @@ bool cycle(const Tuning& tuning, multigrid::Run& run, std::size_t l, bool first,
   const multigrid::LevelRow& row = run.record.levels.back();
   const double one_grid = judgement::error_of_one_grid(hierarchy.parameters.judgement, hierarchy.levels[l].grid.hx(),
                                                        last.after.Hm, tuning.order);
-  last.error_Hc = std::isnan(row.error_Hc) ? one_grid : row.error_Hc;
-  last.error_Hm = std::isnan(row.error_Hm) ? one_grid : row.error_Hm;
+  last.mesh_error_Hc = std::isnan(row.mesh_error_Hc) ? one_grid : row.mesh_error_Hc;
+  last.mesh_error_Hm = std::isnan(row.mesh_error_Hm) ? one_grid : row.mesh_error_Hm;
   if (last.after.residual > hierarchy.parameters.tuning.rough_factor * last.before.residual)
     run.damping.relax_after = true;
   return done && result.end != multigrid::CyclesEnd::diverged;

@@ -43,7 +43,7 @@ std::vector<Number> starvation_numbers() {
                  column(602), of(&X::supply_ratio)),
           number("Hc_flooded", "a^2/R", "film at (0,0) of the flooded contact on the same grid", column(603),
                  of(&X::Hc_flooded)),
-          number("Hm_flooded", "a^2/R", "its smallest film", of(&X::Hm_flooded)),
+          number("Hm_flooded", "a^2/R", "its minimum film", of(&X::Hm_flooded)),
           number(id::meniscus_x, "a", "where the inlet becomes full on y = 0", json("meniscus_X"), column(604),
                  of(&X::meniscus_X)),
           number("meniscus_cells", "-", "cells from the inlet to the first full node",
@@ -111,39 +111,38 @@ Group roller_numbers() {
   return group;
 }
 
-std::vector<Number> ending_numbers() {
-  return {number(id::transient_completed, "-", "1: the run in time is complete, 0: it is not"),
-          number(id::transient_ended, "", "how the run in time ended")};
-}
-
 std::vector<Number> transient_numbers() {
   const auto count = [](int transient::MarchReport::*part) { return [part](Of s) { return march(s).*part; }; };
   using R = transient::MarchReport;
   using transient::StepRow;
-  return {number("completed", "-", "1: the run in time is complete, 0: it is not",
-                 [](Of s) { return completed(in_time(s)); }),
-          number("ended", "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
-          number("start_converged", "-", "only a converged start is followed in time", [](Of) { return true; }),
-          number("end_time", "a/u_m", "time reached", [](Of s) { return march(s).T; }),
-          number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
-          number(id::Hm, "a^2/R", "smallest film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
-          number("least_Hm", "a^2/R", "smallest film of all times",
-                 [](Of s) { return std::ranges::min(in_time(s).rows, {}, &StepRow::Hm).Hm; }),
-          number("largest_P_max", "p_h", "highest pressure of all times",
-                 [](Of s) { return std::ranges::max(in_time(s).rows, {}, &StepRow::P_max).P_max; }),
-          number("steps", "-", "number of time steps", count(&R::steps)),
-          number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
-          number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),
-          number("rejected", "-", "attempts that failed the error test", count(&R::rejected)),
-          number("not_solved", "-", "attempts that were not solved", count(&R::not_solved)),
-          number("jumps", "-", "jumps of load or speed", count(&R::restarts)),
-          number("worst_load_error", "-", "largest relative error of the load",
-                 [](Of s) { return march(s).worst_load_error; }),
-          number(id::seconds, "s", "time of the run in time", [](Of s) { return march(s).seconds; }),
-          number("worst_oil_error", "-", "largest share of oil from nowhere in a step", only_if(counts_oil_in_time),
-                 [](Of s) { return march(s).worst_oil_error; }),
-          number("oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
-                 only_if(counts_oil_in_time), [](Of s) { return in_time(s).rows.back().oil.lost; })};
+  std::vector<Number> list{
+      number(id::completed, "-", "1: the run in time is complete, 0: it is not",
+             [](Of s) { return completed(in_time(s)); }),
+      number(id::ended, "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
+      number("start_converged", "-", "only a converged start is followed in time", [](Of) { return true; }),
+      number("end_time", "a/u_m", "time reached", [](Of s) { return march(s).T; }),
+      number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
+      number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
+      number("least_Hm", "a^2/R", "minimum film of all times",
+             [](Of s) { return std::ranges::min(in_time(s).rows, {}, &StepRow::Hm).Hm; }),
+      number("largest_P_max", "p_h", "highest pressure of all times",
+             [](Of s) { return std::ranges::max(in_time(s).rows, {}, &StepRow::P_max).P_max; }),
+      number("steps", "-", "number of time steps", count(&R::steps)),
+      number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
+      number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),
+      number("rejected", "-", "attempts that failed the error test", count(&R::rejected)),
+      number("not_solved", "-", "attempts that were not solved", count(&R::not_solved)),
+      number("jumps", "-", "jumps of load or speed", count(&R::restarts)),
+      number("worst_load_error", "-", "largest relative error of the load",
+             [](Of s) { return march(s).worst_load_error; }),
+      number(id::seconds, "s", "time of the run in time", [](Of s) { return march(s).seconds; }),
+      number("worst_oil_error", "-", "largest share of oil from nowhere in a step", only_if(counts_oil_in_time),
+             [](Of s) { return march(s).worst_oil_error; }),
+      number("oil_lost", "-", "since the start, over what the inlet brings then in a/u_m", only_if(counts_oil_in_time),
+             [](Of s) { return in_time(s).rows.back().oil.lost; })};
+  // The file contains how the run ended; the other numbers follow from its table of steps.
+  for (Number& one : list) one.in_file = one.name == id::completed || one.name == id::ended;
+  return list;
 }
 
 std::vector<Number> step_numbers() {

@@ -69,7 +69,7 @@ std::vector<Number> friction_numbers() {
 std::vector<Number> shear_numbers() {
   return {number("Hc_without", "a^2/R", "film at (0,0), thinned by the sliding alone",
                  [](Of s) { return thinned(s).Hc_isothermal; }),
-          number("Hm_without", "a^2/R", "smallest film, thinned by the sliding alone",
+          number("Hm_without", "a^2/R", "minimum film, thinned by the sliding alone",
                  [](Of s) { return thinned(s).Hm_isothermal; }),
           number("mu_without", "-", "sliding friction over the load, thinned by the sliding alone",
                  [](Of s) { return thinned(s).mu_isothermal; }),
@@ -87,20 +87,20 @@ std::vector<Number> thermal_numbers() {
       number(id::error_mu, "-", "estimated relative discretization error of mu", column(502),
              [](Of s) { return heated(s).error_mu; })};
   const auto hottest = [&](const std::string& name, const std::string& meaning, const std::string& words, int place,
-                           int on_page_at, const Option& of_sweep, heat::Hottest heat::Solution::*part) {
+                           int on_page_at, OfSweep of_sweep, heat::Hottest heat::Solution::*part) {
     const auto at = [part](Of s) -> const heat::Hottest& { return heated(s).found.*part; };
     list.push_back(number(name, "K", meaning + ": highest temperature above T_oil", bar("error_" + name), label(words),
-                          column(place), on_page(on_page_at), of_sweep, [=](Of s) { return kelvin(s, at(s).theta); }));
+                          column(place), on_page(on_page_at), sweep_page(of_sweep),
+                          [=](Of s) { return kelvin(s, at(s).theta); }));
     list.push_back(number(name + "_x", "a", "its position", [=](Of s) { return at(s).X; }));
     list.push_back(number(name + "_y", "a", "its position", [=](Of s) { return at(s).Y; }));
     list.push_back(number("error_" + name, "-", "estimated relative discretization error of the rise",
                           [=](Of s) { return at(s).error; }));
   };
-  hottest(id::T_film_max, "film", "hottest film above T_{oil}", 504, 12, sweep_page(OfSweep::as_curve),
-          &heat::Solution::in_film);
-  hottest(id::T1_max, "surface 1", "hottest place of surface 1 above T_{oil}", 506, 13, sweep_page(OfSweep::hidden),
+  hottest(id::T_film_max, "film", "hottest film above T_{oil}", 504, 12, OfSweep::as_curve, &heat::Solution::in_film);
+  hottest(id::T1_max, "surface 1", "hottest place of surface 1 above T_{oil}", 506, 13, OfSweep::hidden,
           &heat::Solution::on_1);
-  hottest(id::T2_max, "surface 2", "hottest place of surface 2 above T_{oil}", 507, 14, sweep_page(OfSweep::hidden),
+  hottest(id::T2_max, "surface 2", "hottest place of surface 2 above T_{oil}", 507, 14, OfSweep::hidden,
           &heat::Solution::on_2);
   const Unit watt{"W", "W/m"};
   const std::vector<Number> rest{
@@ -125,7 +125,7 @@ std::vector<Number> thermal_numbers() {
              [](Of s) { return s.input.heat->setup.body_2.Pe; }),
       number("Hc_isothermal", "a^2/R", "film at (0,0) of the isothermal contact",
              [](Of s) { return heated(s).Hc_isothermal; }),
-      number("Hm_isothermal", "a^2/R", "its smallest film", [](Of s) { return heated(s).Hm_isothermal; }),
+      number("Hm_isothermal", "a^2/R", "its minimum film", [](Of s) { return heated(s).Hm_isothermal; }),
       number("film_reduction", "-", "Hc over Hc_isothermal", label("film over the isothermal one"), column(511),
              on_page(15), [](Of s) { return film_reduction(heated(s)); }),
       number("wilson_sheu", "-", "the same by Wilson and Sheu 1983",

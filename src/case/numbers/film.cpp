@@ -14,7 +14,7 @@ bool without_oil(Of s) { return s.input.dry.has_value(); }
 bool has_p_h(Of s) { return with_oil(s) || in_SI(s); }
 bool always(Of) { return true; }
 
-constexpr char of_nodes[] = "smallest film of all nodes";
+constexpr char of_nodes[] = "minimum film of all nodes";
 constexpr char where_highest[] = "position of the highest pressure";
 constexpr char bar_on_domain[] = "estimated relative error on this domain: mesh and cycles";
 constexpr char its_error[] = "its estimated relative error";
@@ -39,17 +39,17 @@ std::vector<Number> film_numbers() {
        number(id::title, "", "title of the case", only_if(always), not_in_file, [](Of s) { return s.input.title; }),
        number(id::Hc, "a^2/R", "film at (0,0)", bar(id::error_Hc), label("central film H_c"), column(206),
               on_page(2, "central film, on this mesh"), [](Of s) { return outcome(s).Hc; }),
-       number(id::Hm, "a^2/R", of_nodes, bar(id::error_Hm), label("smallest film H_m"), column(207),
-              on_page(4, "smallest film, of the nodes"), [](Of s) { return outcome(s).Hm.value; }),
-       number(id::Hm_x, "a", "position of the smallest film", json("Hm_X"), [](Of s) { return outcome(s).Hm.X; }),
-       number(id::Hm_y, "a", "position of the smallest film", json("Hm_Y"), [](Of s) { return outcome(s).Hm.Y; }),
+       number(id::Hm, "a^2/R", of_nodes, bar(id::error_Hm), label("minimum film H_m"), column(207),
+              on_page(4, "minimum film, of the nodes"), [](Of s) { return outcome(s).Hm.value; }),
+       number(id::Hm_x, "a", "position of the minimum film", json("Hm_X"), [](Of s) { return outcome(s).Hm.X; }),
+       number(id::Hm_y, "a", "position of the minimum film", json("Hm_Y"), [](Of s) { return outcome(s).Hm.Y; }),
        number(id::error_Hc, "-", bar_on_domain, column(209), [](Of s) { return bars(s).Hc.total(); }),
        number(id::error_Hm, "-", bar_on_domain, column(210), [](Of s) { return bars(s).Hm.total(); }),
        number(id::Hc_best, "a^2/R", "Hc with the narrowest bar: extrapolated, or of the finest grid",
               bar(id::error_Hc_best), label("central film h_c"), column(211), on_page(1),
               [](Of s) { return bars(s).Hc_best.value; }),
        number(id::error_Hc_best, "-", its_error, column(212), [](Of s) { return bars(s).Hc_best.error; }),
-       number(id::Hm_best, "a^2/R", "the same of Hm_fitted", bar(id::error_Hm_best), label("smallest film h_m"),
+       number(id::Hm_best, "a^2/R", "the same of Hm_fitted", bar(id::error_Hm_best), label("minimum film h_m"),
               column(213), on_page(3), [](Of s) { return bars(s).Hm_best.value; }),
        number(id::error_Hm_best, "-", its_error, column(214), [](Of s) { return bars(s).Hm_best.error; }),
        number("Hc_extrapolated", "a^2/R", "Hc extrapolated to mesh size zero", bar("error_Hc_extrapolated"),
@@ -58,7 +58,7 @@ std::vector<Number> film_numbers() {
        number("Hm_extrapolated", "a^2/R", "Hm_fitted extrapolated to mesh size zero", bar("error_Hm_extrapolated"),
               [](Of s) { return bars(s).Hm_extrapolated.value; }),
        number("error_Hm_extrapolated", "-", its_error, [](Of s) { return bars(s).Hm_extrapolated.error; }),
-       number(id::Hm_fitted, "a^2/R", "smallest film between the nodes", bar("error_Hm_fitted"),
+       number(id::Hm_fitted, "a^2/R", "minimum film between the nodes", bar("error_Hm_fitted"),
               [](Of s) { return bars(s).Hm_fitted_value; }),
        number("Hm_fitted_x", "a", "its position", json("Hm_fitted_X"), [](Of s) { return bars(s).Hm_fitted_X; }),
        number("Hm_fitted_y", "a", "its position", json("Hm_fitted_Y"), [](Of s) { return bars(s).Hm_fitted_Y; }),
@@ -72,13 +72,13 @@ std::vector<Number> film_numbers() {
               json("error_parts/domain"), [](Of s) { return bars(s).domain; }),
        number("Hc_moes", "-", "(h/R)(2U)^(-1/2) at the centre", bar(id::error_Hc), label("central film in Moes units"),
               on_page(6, "", "h/R (2U)^{-1/2}"), [](Of s) { return outcome(s).Hc_moes; }),
-       number("Hm_moes", "-", "(h/R)(2U)^(-1/2), smallest", bar(id::error_Hm), label("smallest film in Moes units"),
+       number("Hm_moes", "-", "(h/R)(2U)^(-1/2), smallest", bar(id::error_Hm), label("minimum film in Moes units"),
               on_page(7), [](Of s) { return outcome(s).Hm_moes; }),
        number(id::hc, "m", "film at (0,0)", json("hc_m"), bar(id::error_Hc), label("central film h_c"),
               in_si(101, "h_c", "nm"), [](Of s) { return outcome(s).hc; }),
        number("hc_error", "m", "its error bar, mesh and cycles", only_column, in_si(102, "h_c_error", "nm"),
               [](Of s) { return outcome(s).hc * bars(s).Hc.total(); }),
-       number(id::hm, "m", of_nodes, json("hm_m"), bar(id::error_Hm), label("smallest film h_m"),
+       number(id::hm, "m", of_nodes, json("hm_m"), bar(id::error_Hm), label("minimum film h_m"),
               in_si(103, "h_m", "nm"), [](Of s) { return outcome(s).hm; }),
        number("hm_error", "m", "its error bar, mesh and cycles", only_column, in_si(104, "h_m_error", "nm"),
               [](Of s) { return outcome(s).hm * bars(s).Hm.total(); }),
@@ -134,7 +134,7 @@ std::vector<Number> roughness_numbers() {
   return {number("Sq", "a^2/R", "roughness of both surfaces together", [=](Of s) { return rough(s).Sq; }),
           number(id::Sq_si, "m", "roughness of both surfaces together", only_if(in_SI), not_in_file,
                  in_si(106, "Sq", "nm"), [=](Of s) { return rough(s).Sq * s.input.physics.si->hertz.h_scale; }),
-          number(id::lambda_ratio, "-", "smallest film of smooth surfaces over Sq", label("lambda ratio h_m/S_q"),
+          number(id::lambda_ratio, "-", "minimum film of smooth surfaces over Sq", label("lambda ratio h_m/S_q"),
                  column_only_si(107), on_page(8), sweep_page(OfSweep::as_curve),
                  [=](Of s) { return rough(s).lambda_ratio(); })};
 }

@@ -26,7 +26,7 @@ inline constexpr char
     mu[] = "mu", error_mu[] = "error_mu", T_film_max[] = "T_film_max", T1_max[] = "T1_max", T2_max[] = "T2_max",
     heat_1[] = "heat_1", heat_imbalance[] = "heat_imbalance", supply_ratio[] = "supply_ratio", starvation_factor[] = "starvation_factor",
     meniscus_x[] = "meniscus_x", oil_in[] = "oil_in", oil_aside[] = "oil_aside", mass_imbalance[] = "mass_imbalance",
-    transient_completed[] = "transient_completed", transient_ended[] = "transient_ended", speed[] = "speed",
+    completed[] = "completed", ended[] = "ended", speed[] = "speed",
     // columns of the table of steps, by their paths
     step_time[] = "/transient/time", step_load[] = "/transient/load", step_speed[] = "/transient/speed";
 // clang-format on

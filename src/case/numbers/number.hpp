@@ -117,6 +117,12 @@ struct Shown {
 };
 std::vector<Shown> shown_on_page();
 
+/// The symbol of a number, the last word of its label: "h_c" of "central film h_c".
+std::string symbol_of(const std::string& name);
+/// The symbol in SI of a dimensionless column: "h_c" of Hc. Empty: it has none.
+std::string symbol_in_si(const std::string& name);
+/// The heading of a printed column of contacts in SI: "h_c [nm]".
+std::string heading_in_si(const std::string& name);
 /// The label of a column of /transient: Hc and Hm with the symbols of films in SI.
 std::string label_in_time(const std::string& name);
 

@@ -8,55 +8,40 @@
 
 namespace ehl::program::numbers {
 
-/// What a record says beyond name, unit, meaning and value.
-struct Option {
-  std::function<void(Number&)> set{};
-};
-
-inline Option only_if(bool (*condition)(Of)) {
-  return {[=](Number& of) { of.only_if = condition; }};
+// Options: what a record says beyond name, unit, meaning and value.
+// clang-format off
+inline auto only_if(bool (*condition)(Of)) { return [=](Number& of) { of.only_if = condition; }; }
+inline auto meaning_here(std::string (*meaning)(Of)) { return [=](Number& of) { of.meaning_here = meaning; }; }
+inline auto json(const std::string& path) { return [=](Number& of) { of.json = path; }; }
+inline auto bar(const std::string& error) { return [=](Number& of) { of.error = error; }; }
+inline auto label(const std::string& words) { return [=](Number& of) { of.label = words; }; }
+inline auto sweep_page(OfSweep how) { return [=](Number& of) { of.of_sweep = how; }; }
+inline auto column_only_si(int place) { return [=](Number& of) { of.column = {place, core::unknown, true}; }; }
+inline void not_json(Number& of) { of.json = results::not_in_json; }
+inline void not_in_file(Number& of) { of.in_file = false; }
+// clang-format on
+inline auto column(int place, const Value& blank = core::unknown) {
+  return [=](Number& of) { of.column = {place, blank, false}; };
 }
-inline Option meaning_here(std::string (*meaning)(Of)) {
-  return {[=](Number& of) { of.meaning_here = meaning; }};
+inline auto in_si(int place, const std::string& symbol, const std::string& unit) {
+  return [=](Number& of) { of.in_si = {place, symbol, unit}; };
 }
-inline Option json(const std::string& path) {
-  return {[=](Number& of) { of.json = path; }};
+inline auto on_page(int place, const std::string& words = "", const std::string& note = "") {
+  return [=](Number& of) { of.page = {place, words, note}; };
 }
-inline Option bar(const std::string& error) {
-  return {[=](Number& of) { of.error = error; }};
-}
-inline Option label(const std::string& words) {
-  return {[=](Number& of) { of.label = words; }};
-}
-inline Option column(int place, const Value& blank = core::unknown) {
-  return {[=](Number& of) { of.column = {place, blank, false}; }};
-}
-inline Option column_only_si(int place) {
-  return {[=](Number& of) { of.column = {place, core::unknown, true}; }};
-}
-inline Option in_si(int place, const std::string& symbol, const std::string& unit) {
-  return {[=](Number& of) { of.in_si = {place, symbol, unit}; }};
-}
-inline Option on_page(int place, const std::string& words = "", const std::string& note = "") {
-  return {[=](Number& of) { of.page = {place, words, note}; }};
-}
-inline Option sweep_page(OfSweep how) {
-  return {[=](Number& of) { of.of_sweep = how; }};
-}
-inline const Option not_json{[](Number& of) { of.json = results::not_in_json; }};
-inline const Option not_in_file{[](Number& of) { of.in_file = false; }};
 /// The number is a column of a sweep and is shown nowhere else.
-inline const Option only_column{[](Number& of) {
-  of.json = results::not_in_json;
-  of.in_file = false;
-}};
+inline void only_column(Number& of) {
+  not_json(of);
+  not_in_file(of);
+}
 
+/// A record. in: more: options, and the value as a function of the solved case.
 template <class... More>
 Number number(const std::string& name, const Unit& unit, const std::string& meaning, More... more) {
   Number made{.name = name, .unit = unit, .meaning = meaning};
   [[maybe_unused]] const auto take = [&](auto& one) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Option>)
-      one.set(made);
+    if constexpr (std::is_invocable_v<decltype(one), Number&>)
+      one(made);
     else
       made.value = std::move(one);
   };
@@ -89,7 +74,6 @@ std::vector<Number> friction_numbers();
 std::vector<Number> shear_numbers();
 std::vector<Number> thermal_numbers();
 std::vector<Number> starvation_numbers();
-std::vector<Number> ending_numbers();
 std::vector<Number> transient_numbers();
 std::vector<Number> step_numbers();
 

@@ -143,8 +143,7 @@ const std::vector<Group>& registry() {
         {.name = "shear", .numbers = shear_numbers(), .on = has_thinned, .asked = never},
         {.name = "thermal", .numbers = thermal_numbers(), .on = has_heated, .asked = asks_heat},
         {.name = "starvation", .numbers = starvation_numbers(), .on = has_starved, .asked = asks_supply},
-        {.name = "end of time", .numbers = ending_numbers(), .on = has_in_time},
-        {.name = "transient", .numbers = transient_numbers(), .home = "", .on = has_in_time},
+        {.name = "transient", .numbers = transient_numbers(), .prefix = "transient_", .on = has_in_time},
         {.name = "steps", .numbers = step_numbers(), .home = "/transient"}};
     for (const Effect& effect : effects())
       if (effect.numbers) groups.push_back(effect.numbers());
@@ -172,8 +171,9 @@ Quantity quantity(const std::string& name, Of solved) {
 }
 
 Quantity given(const std::string& name, const Value& value) {
-  const Number& of = number_of(name);
-  return {of.name, value, of.unit.name, of.meaning, of.json, of.error};
+  const auto& [in, one] = record_of(name);
+  const Number& of = *one;
+  return {in->prefix + of.name, value, of.unit.name, of.meaning, of.json, of.error};
 }
 
 void append(const std::string& name, Of solved, std::vector<Quantity>& list) {
@@ -202,6 +202,23 @@ std::vector<Shown> shown_on_page() {
         list.push_back({&one, path_in(in, one.name), one.error.empty() ? "" : path_in(in, one.error)});
   std::ranges::stable_sort(list, {}, [](const Shown& one) { return one.number->page.place; });
   return list;
+}
+
+std::string symbol_of(const std::string& name) {
+  const std::string& label = number_of(name).label;
+  std::string symbol = label.substr(label.rfind(' ') + 1);
+  std::erase_if(symbol, [](char c) { return c == '{' || c == '}'; });
+  return symbol;
+}
+
+std::string symbol_in_si(const std::string& name) {
+  const char* in_SI = name == id::Hc ? id::hc : name == id::Hm ? id::hm : name == id::P_max ? id::p_max : nullptr;
+  return in_SI == nullptr ? "" : symbol_of(in_SI);
+}
+
+std::string heading_in_si(const std::string& name) {
+  const Number& of = number_of(name);
+  return of.in_si.symbol + " [" + unit_in_si(of) + "]";
 }
 
 std::string label_in_time(const std::string& name) {

@@ -47,7 +47,7 @@ std::vector<Number> verification_numbers() {
       number("change_Hm", "-", cycle_Hm, of(&V::change_Hm)),
       number("algebraic_error_Hc", "-", "estimate of what further cycles would change", of(&V::algebraic_error_Hc)),
       number("algebraic_error_Hm", "-", "estimate of what further cycles would change", of(&V::algebraic_error_Hm)),
-      number(id::Hm, "a^2/R", "smallest film of all nodes", not_in_file, of(&V::Hm)),
+      number(id::Hm, "a^2/R", "minimum film of all nodes", not_in_file, of(&V::Hm)),
       number(id::Hm_x, "a", "its position", json("Hm_X"), not_in_file, of(&V::Hm_X)),
       number(id::Hm_y, "a", "its position", json("Hm_Y"), not_in_file, of(&V::Hm_Y)),
       number("flow_through", {"rho0 u_m a^3/R", "rho0 u_m a^2/R"}, "mass flow through the contact at x = 0",

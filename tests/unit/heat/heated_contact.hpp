@@ -47,7 +47,7 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
   found.Hc_cold = cold.Hc;
   found.Hm_cold = cold.Hm;
   ehl::thermal::FilmTemperature film(setup);
-  const ehl::heat::Parameters parameters{.share = share, .error = run.record.levels.back().error_Hc};
+  const ehl::heat::Parameters parameters{.share = share, .error = run.record.levels.back().mesh_error_Hc};
   found.result = ehl::heat::heat_up(run, run.finest(), film, parameters);
   const ehl::heat::Pass& last = found.result.passes.back();
   const ehl::thermal::Balance& balance = found.result.balance;

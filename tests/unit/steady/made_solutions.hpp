@@ -46,8 +46,8 @@ struct Made {
       row.Hm = 0.3 * (1.0 + mesh_of_Hm * mesh * h * h + domain_of_Hm * of_domain + (kinked ? kink_of_Hm : 0.0));
       row.Hm_fitted = row.Hm;
       row.P_max = 1.0;
-      row.error_Hc = 1.25 * mesh * h * h;
-      row.error_Hm = mesh_of_Hm * row.error_Hc;
+      row.mesh_error_Hc = 1.25 * mesh * h * h;
+      row.mesh_error_Hm = mesh_of_Hm * row.mesh_error_Hc;
       solution.levels.push_back(row);
     }
     solution.verification.algebraic_error_Hc = algebraic;

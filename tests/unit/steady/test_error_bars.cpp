@@ -124,8 +124,8 @@ LevelRow row(double Hc, double Hm, double Hm_fitted, double P_max, double P_rim 
   result.Hm_fitted = Hm_fitted;
   result.P_max = P_max;
   result.P_rim = P_rim;
-  result.error_Hc = 0.02;
-  result.error_Hm = 0.05;
+  result.mesh_error_Hc = 0.02;
+  result.mesh_error_Hm = 0.05;
   return result;
 }
 
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(one_level) {
   Solution one = three_levels(1.0, 1.1, 1.15);
   one.levels = {row(0.5, 0.128, 0.125, 1.0)};
   one.levels.back().nx = 60;
-  one.levels.back().error_Hc = one.levels.back().error_Hm = unknown;
+  one.levels.back().mesh_error_Hc = one.levels.back().mesh_error_Hm = unknown;
   Scene scene;
   scene.grid = {120, 60, -4.5, 1.5, -1.0, 1.0};
   const ErrorBars second = error_bars_of(scene, one);

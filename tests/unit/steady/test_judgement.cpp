@@ -30,8 +30,8 @@ std::vector<double> sequence(double limit, double error, double order, int count
 LastCycle good_cycle() {
   return {.before = {.Hc = 0.2001, .Hm = 0.1001, .residual = 1e-3, .load_error = 1e-5},
           .after = {.Hc = 0.2, .Hm = 0.1, .residual = 1e-4, .load_error = 1e-6},
-          .error_Hc = 0.02,
-          .error_Hm = 0.03};
+          .mesh_error_Hc = 0.02,
+          .mesh_error_Hm = 0.03};
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   fails([](LastCycle&) {}, 1e-5, "residual");
   fails([](LastCycle& c) { c.after.residual = unknown; }, 1e-3, "residual");
   fails([](LastCycle& c) { c.after.load_error = 1.0; }, 1e-3, "load");
-  fails([](LastCycle& c) { c.error_Hc = unknown; }, unknown, "residual");
+  fails([](LastCycle& c) { c.mesh_error_Hc = unknown; }, unknown, "residual");
   fails([](LastCycle& c) { c.after.residual = 0.5; }, unknown, "residual");
   fails([](LastCycle& c) { c.after.load_error = 0.01; }, unknown, "load");
   fails([](LastCycle& c) { c.before.Hc = 0.25; }, unknown, "Hc");
@@ -139,13 +139,13 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   passes(
       [](LastCycle& c) {
         c.after.flow_imbalance = 0.0124;
-        c.error_Hc = unknown;
+        c.mesh_error_Hc = unknown;
       },
       1e-3);
   passes(
       [](LastCycle& c) {
         c.after.flow_imbalance = 9e-5;
-        c.error_Hc = 1e-6;
+        c.mesh_error_Hc = 1e-6;
       },
       1e-3);
   // A cycle that hardly reduces the residual means a large remaining change.
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.grid = {16, 16, -4.5, 1.5, -3.0, 3.0};
   solution.P = core::Field(solution.grid);
   solution.P(8, 8) = 1.0;
-  solution.levels.push_back({.error_Hc = 0.01, .error_Hm = 0.02});
+  solution.levels.push_back({.mesh_error_Hc = 0.01, .mesh_error_Hm = 0.02});
   solution.error_bars.Hc.discretization = 0.01;
   solution.error_bars.Hm.discretization = 0.02;
   const Scene scene;
@@ -191,12 +191,12 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.error_bars.Hm.discretization = 1.2;
   BOOST_TEST(warned("at least 384 would bring"));
   BOOST_TEST(warned("of Hm 120 %"));
-  solution.levels.back() = {.nx = 128, .error_Hc = unknown, .error_Hm = unknown};
+  solution.levels.back() = {.nx = 128, .mesh_error_Hc = unknown, .mesh_error_Hm = unknown};
   BOOST_TEST(warned("single level; use at least 256 cells"));
   solution.levels.back().Hm_fitted = -1e-4;
   BOOST_TEST(warned("between the nodes and is negative"));
   solution.levels.back().Hm_fitted = 1e-2;
-  solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
+  solution.levels.back() = {.mesh_error_Hc = 0.01, .mesh_error_Hm = 0.02};
   solution.error_bars.Hm.discretization = 0.02;
   solution.domain_error_Hc = 0.03;
   BOOST_TEST(warned("too short"));

@@ -17,7 +17,7 @@ namespace {
 Solution three_levels() {
   Solution solution;
   for (const double Hc : {0.5, 0.44, 0.425}) solution.levels.push_back({.Hc = Hc, .Hm = 0.2525, .P_max = 1.0});
-  solution.levels[2].error_Hc = solution.levels[2].error_Hm = 1.0;
+  solution.levels[2].mesh_error_Hc = solution.levels[2].mesh_error_Hm = 1.0;
   for (const std::size_t k : {0u, 1u, 2u}) solution.levels[k].Hm_fitted = k == 0 ? 0.31 : k == 1 ? 0.26 : 0.25;
   solution.verification.algebraic_error_Hc = 1e-3;
   solution.verification.algebraic_error_Hm = 2e-3;
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(by_weights_that_cancel) {
   BOOST_TEST(bars.Hm_fitted.discretization == 0.07 / 3.0 + 0.01, tolerance(1e-10));
   // The levels give 0.018 minus the distance of the node from the minimum; three times that
   // limits the adjoint estimate.
-  solution.levels[2].error_Hm = 0.018;
+  solution.levels[2].mesh_error_Hm = 0.018;
   const double of_node = 0.0025 / 0.2525;
   BOOST_TEST(error_bars_of(Scene{}, solution).Hm_fitted.discretization == 3.0 * (0.018 - of_node), tolerance(1e-10));
 }
