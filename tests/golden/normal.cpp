@@ -75,7 +75,7 @@ std::string normal(std::string text, Numbers numbers, const std::vector<Place>& 
   for (const Place& place : places) replace_all(text, place.path, place.name);
   const std::pair<const char*, const char*> patterns[] = {
       {"[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]+Z", "DATE"},
-      {"commit [0-9a-f]{12,40}( with changes)?|commit unknown", "commit COMMIT"},
+      {"commit [0-9a-f]{12,40}( with changes|, with changes that no commit holds)?|commit unknown", "commit COMMIT"},
       {"g\\+\\+ [0-9][^,;\"\n]*", "COMPILER"},
       {"ehl [0-9.]+,", "ehl VERSION,"},
       {"COMPILER, [0-9a-f]{16}", "COMPILER, HASH"},

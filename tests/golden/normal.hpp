@@ -11,14 +11,14 @@ enum class Numbers {
   replaced  ///< none but counts of nodes, "65 x 65", and lines of a file, "d.ini:17": the command computes
 };
 
-/// A folder, and the placeholder that stands for it.
+/// A folder or the processor, and the placeholder that stands for it.
 struct Place {
   std::string path;
   std::string name;
 };
 
 /// The normal form of a text, in this order:
-/// 1. The path of a folder is its name in capital letters, as in FOLDER/point.h5.
+/// 1. The path of a folder is its name in capital letters, as in FOLDER/point.h5; the name of the processor is MACHINE.
 /// 2. A date is DATE, a commit COMMIT, a compiler COMPILER, the program's version VERSION, the hash of a deck HASH, the
 ///    processor MACHINE, its level LEVEL, and the number of threads N.
 /// 3. With Numbers::replaced, every number is "#", its sign included, and the spaces beside it are one, so that the

@@ -1,6 +1,8 @@
 #include "golden/transcript.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "golden/normal.hpp"
@@ -23,13 +25,22 @@ std::string with_program(const std::string& command) {
   return std::string("ehl() { '") + EHL_PROGRAM + "' \"$@\"; }\nexport LC_ALL=C\n" + command;
 }
 
+// The name of the processor, as the program prints it.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+  return "a processor without a name";
+}
+
 }  // namespace
 
 std::string performed(const std::string& transcript) {
   const support::TemporaryFolder folder;
   for (const auto& entry : std::filesystem::directory_iterator(GOLDEN_FILES))
     std::filesystem::copy(entry.path(), folder / entry.path().filename().string());
-  const std::vector<Place> places{{folder.path(), "FOLDER"}, {EHL_PROGRAM, "EHL"}, {EHL_SOURCE, "SOURCE"}};
+  const std::vector<Place> places{
+      {folder.path(), "FOLDER"}, {EHL_PROGRAM, "EHL"}, {EHL_SOURCE, "SOURCE"}, {processor(), "MACHINE"}};
   std::string text;
   std::istringstream lines(transcript);
   for (std::string line; std::getline(lines, line);) {

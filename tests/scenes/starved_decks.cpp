@@ -71,11 +71,11 @@ double last_of_column(const std::string& table, const std::string& name) {
   return std::nan("");
 }
 
-void refused(const TemporaryFolder& folder, const std::string& deck, const std::string& supply, const char* says) {
+void refused(const TemporaryFolder& folder, const std::string& deck, const std::string& supply, const char* key) {
   folder.write("case.ini", deck + "[supply]\n" + supply);
   const Ended run = ehl(folder, "check case.ini");
   BOOST_TEST(run.status == 2, supply);
-  BOOST_TEST(run.says({"[supply]", says}), supply << ": " << run.err);
+  BOOST_TEST(run.says({"[", key}), supply << ": " << run.err);
 }
 
 }  // namespace
@@ -230,28 +230,28 @@ BOOST_AUTO_TEST_CASE(decks_in_time_conserve_oil) {
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const TemporaryFolder folder;
-  refused(folder, contact, "H_oil = 0\n", "must be a number > 0");
-  refused(folder, contact, "H_oil = -1\n", "must be a number > 0");
-  refused(folder, contact, "layer_m = 1e-7\n", "is in SI, but the contact is not");
-  refused(folder, in_SI, "layer1_m = 1e-7\n", "belong together");
-  refused(folder, in_SI, "layer1_m = 0\nlayer2_m = 0\n", "supply no oil");
-  refused(folder, in_SI, "layer_m = 1e-7\nflow_m3_per_s = 1e-10\n", "keep one of them");
+  refused(folder, contact, "H_oil = 0\n", "H_oil = 0");
+  refused(folder, contact, "H_oil = -1\n", "H_oil = -1");
+  refused(folder, contact, "layer_m = 1e-7\n", "layer_m");
+  refused(folder, in_SI, "layer1_m = 1e-7\n", "layer2_m");
+  refused(folder, in_SI, "layer1_m = 0\nlayer2_m = 0\n", "layer1_m");
+  refused(folder, in_SI, "layer_m = 1e-7\nflow_m3_per_s = 1e-10\n", "flow_m3_per_s");
   const auto in_time = [](const char* keys) { return std::string(contact) + "[transient]\nend_time = 1\n" + keys; };
-  refused(folder, in_time(""), "H_oil = 0.2\npasses = 2\n", "steady contacts only");
-  refused(folder, in_time("cavitation = pressure\n"), "H_oil = 0.2\n", "cavitation = content");
-  refused(folder, in_time("supply = 0:0.5 1:1\n"), "H_oil = 0.2\n", "must be 1 at time 0");
-  refused(folder, in_time("supply = 0:1 1:-1\n"), "H_oil = 0.2\n", "must not be negative");
-  refused(folder, "[case]\nkind = dry\n" + std::string(in_SI), "layer_m = 1e-7\n", "dry contact");
+  refused(folder, in_time(""), "H_oil = 0.2\npasses = 2\n", "passes");
+  refused(folder, in_time("cavitation = pressure\n"), "H_oil = 0.2\n", "cavitation");
+  refused(folder, in_time("supply = 0:0.5 1:1\n"), "H_oil = 0.2\n", "[transient] supply");
+  refused(folder, in_time("supply = 0:1 1:-1\n"), "H_oil = 0.2\n", "[transient] supply");
+  refused(folder, "[case]\nkind = dry\n" + std::string(in_SI), "layer_m = 1e-7\n", "layer_m");
   folder.write("narrow.csv", "-1,0.2\n1,0.2\n");
-  refused(folder, contact, "profile = narrow.csv\n", "narrower than the domain");
+  refused(folder, contact, "profile = narrow.csv\n", "profile = narrow.csv");
   folder.write("gap.csv", "-2,0.2\n0,\n2,0.2\n");
   refused(folder, contact, "profile = gap.csv\n", "gap.csv:2");
   folder.write("back.csv", "-2,0.2\n-2.5,0.3\n2,0.2\n");
-  refused(folder, contact, "profile = back.csv\n", "y must rise");
+  refused(folder, contact, "profile = back.csv\n", "back.csv:2");
   folder.write("case.ini", std::string(contact) + "[supply]\nH_oil = 0.2\n");
   const Ended closed = ehl(folder, "check case.ini --set domain.far_field=closed");
   BOOST_TEST(closed.status == 2);
-  BOOST_TEST(closed.says({"far_field", "set zero"}));
+  BOOST_TEST(closed.says({"far_field"}));
 }
 
 // Ellipses far from circular: coarse grids that do not capture the position of the oil give no error estimate, and a

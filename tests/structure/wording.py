@@ -5,6 +5,7 @@ Rules: word       a word with a private meaning (words.txt); the standard term i
        subject    a comment that cannot be read alone, such as "Of ..." or "Likewise ..."
        figures    a comment with three or more measured figures: they belong into tests/bench
        paragraph  a paragraph of a page with more than 60 words
+       printed    a test asks for three words or more that a transcript of tests/golden shows: rewording would need both
 """
 import pathlib
 import re
@@ -21,6 +22,7 @@ SUBJECT = re.compile(r"^\s*//+\s*(Of|The same|Likewise|With it|Without it|So man
 FIGURE = re.compile(r"(?<![\w.^])(\d+\.\d+|\d+e-\d+|\d+(\.\d+)?( %| s\b| ms\b| times\b))(?!\w)")
 FORMULA = re.compile(r"[=*^/+] ?\d|source", re.I)
 MOST_WORDS = 60
+ASKED = re.compile(r'(?<!!)\b(?:support::)?(?:contains|says)\((?:[^;"]|"(?:[^"\\]|\\.)*")*;')
 
 
 def term_of(found):
@@ -60,8 +62,22 @@ def offences_of_page(lines):
             words += len(plain.split())
 
 
+def printed_words(root):
+    lines = (line for path in (root / "tests/golden/commands").glob("*.txt") for line in path.open(errors="replace"))
+    return "".join(line[2:] for line in lines if line[0] in "|!")
+
+
+def offences_of_test(text, printed):
+    for asked in ASKED.finditer(text):
+        for literal in re.finditer(r'"((?:[^"\\]|\\.)*)"', asked.group(0)):
+            words = literal.group(1)
+            if re.search(r"^[^#].*[A-Za-z]{2,} [A-Za-z]{2,} [A-Za-z]{2,}", words) and words in printed:
+                yield text.count("\n", 0, asked.start() + literal.start()) + 1, f"printed: a transcript shows '{words}'"
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parents[2]
+    printed = printed_words(root)
     kinds = ("*.cpp", "*.hpp", "*.h", "*.c", "*.md", "*.py", "*.ini", "*.gp")
     files = subprocess.run(["git", "ls-files", *kinds], cwd=root, capture_output=True, text=True).stdout.split()
     listed = 0
@@ -72,6 +88,8 @@ def main():
         code = path.endswith((".cpp", ".hpp", ".h", ".c"))
         found = [(n, what) for n, line in enumerate(lines, 1) for what in offences_of_line(line, code)]
         found += offences_of_page(lines) if path.endswith(".md") else []
+        if path.startswith(("tests/scenes/", "tests/unit/program/")):
+            found += offences_of_test("\n".join(lines), printed)
         for number, what in found:
             print(f"{path}:{number}: {what}")
         listed += len(found)

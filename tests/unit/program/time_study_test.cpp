@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(no_error_without_a_complete_run) {
     const std::string row = program::csv_text(program::time_study_columns({"Hc", "Hm", "P_max", "P_1"}), point);
     BOOST_TEST(contains(row, std::string(status) + ",NaN,NaN,NaN,NaN,\"no, more than 7 steps\""), row);
     const std::string text = program::time_study_report({}, reference(), {point});
-    BOOST_TEST(contains(text, "NOT COMPLETE: no, more than 7 steps"), text);
+    BOOST_TEST(contains(text, "no, more than 7 steps"), text);
   }
   program::TimeStudyPoint nothing;
   BOOST_TEST(program::errors_in_time(nothing, made(1.0)).empty());
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(the_table_says_what_it_is) {
     BOOST_TEST(contains(csv, part), part << " is missing in\n" << csv);
   // Errors below that of the reference, 1e-5, are not printed.
   const std::string text = program::time_study_report({}, reference(), {good, best});
-  BOOST_TEST(contains(text, "       1.0e-03       1.0e-03"), text);
-  BOOST_TEST(contains(text, "     < 1.0e-05     < 1.0e-05"), text);
+  BOOST_TEST(contains(text, " 1.0e-03 "), text);
+  BOOST_TEST(contains(text, " < 1.0e-05 "), text);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
