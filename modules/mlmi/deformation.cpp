@@ -30,10 +30,15 @@ bool leaves_enough(const core::Grid& grid, int coarsenings) {
 
 // The cheapest choice whose error is below 10 % of the discretization error on every level, with a margin for pressures
 // with sharper features than the measured one (tests/bench/deformation_defaults.csv, deformation_order.csv).
-MultilevelChoice default_choice(const core::Grid& grid) {
+MultilevelChoice default_choice(const core::Grid& grid, bool coated) {
   const int n = std::max(grid.nx, grid.ny);
   MultilevelChoice choice{.order = 8, .patch_along = 9, .patch_across = 4, .coarsenings = 4};
   if (n < 384) choice.patch_across = 3;
+  // Near a soft coating the kernel varies over its thickness as well. [bench: patch_of_coatings]
+  if (coated) {
+    choice.patch_along = 12;
+    choice.patch_across = 5;
+  }
   // On these grids the exact sum costs no more.
   if (n < 96 || grid.line) choice.coarsenings = 0;
   // Coarsenings alternate between X and Y, beginning with X: on stretched cells a patch would be hx/hy times as wide
@@ -43,8 +48,8 @@ MultilevelChoice default_choice(const core::Grid& grid) {
   return choice;
 }
 
-MultilevelChoice chosen(const core::Grid& grid, const Parameters& parameters) {
-  MultilevelChoice choice = default_choice(grid);
+MultilevelChoice chosen(const core::Grid& grid, const Parameters& parameters, bool coated) {
+  MultilevelChoice choice = default_choice(grid, coated);
   if (parameters.order > 0) choice.order = parameters.order;
   if (parameters.patch_along > 0) choice.patch_along = parameters.patch_along;
   if (parameters.patch_across > 0) choice.patch_across = parameters.patch_across;
@@ -110,7 +115,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   // The direct sum and the plain FFT are the multilevel sum without coarsening.
   MultilevelChoice choice{.coarsenings = 0, .coarsest_direct = parameters.method == Method::direct};
   if (parameters.method == Method::mlmi) {
-    choice = chosen(whole, parameters);
+    choice = chosen(whole, parameters, !kernel.coatings.empty());
     check(whole, choice);
   }
   implementation_ = std::make_unique<Implementation>();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dry/solve.hpp"
+#include "kernel/cell_quadrature.hpp"
 #include "kernel/kernel.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_coated)
@@ -32,7 +33,16 @@ struct Ball {
 // 1966)
 class IntegralEquation {
  public:
-  IntegralEquation(const Coating& coating, double factor) : coating_(coating), factor_(factor) {}
+  IntegralEquation(const Coating& coating, double factor) : coating_(coating), factor_(factor) {
+    using Panel = kernel::GaussRule<6>;
+    constexpr double width = 0.25;
+    for (int panel = 0; panel < 120; ++panel)
+      for (std::size_t k = 0; k < Panel::node.size(); ++k) {
+        const double q = width * (panel + 0.5 + Panel::node[k]);
+        const double above = kernel::response(coating, q) - kernel::local_response(coating);
+        waves_.push_back({q / coating.thickness, coating.share * above * width * Panel::weight[k] / coating.thickness});
+      }
+  }
 
   // phi as the values at Gauss' points s_k a of the half axis, and the load.
   struct Solution {
@@ -58,11 +68,16 @@ class IntegralEquation {
     for (int j = 0; j < n; ++j) solution.load += 2.0 * pi * a * weight(j) * x[j];
     return solution;
   }
-  // The contact under the load, by bisection.
+  // The contact under the load, by the secant method.
   Ball under_load() const {
-    double low = 0.2, high = 3.0;
-    for (int k = 0; k < 50; ++k) (of_radius(0.5 * (low + high)).load < load ? low : high) = 0.5 * (low + high);
-    const double a = 0.5 * (low + high);
+    double before = 0.9, a = 1.0, load_before = of_radius(before).load;
+    for (int k = 0; k < 20 && std::abs(a - before) > 1e-13; ++k) {
+      const double now = of_radius(a).load;
+      const double next = a - (now - load) * (a - before) / (now - load_before);
+      before = a;
+      load_before = now;
+      a = next;
+    }
     return {a, centre(of_radius(a), a), of_radius(a).approach};
   }
 
@@ -72,13 +87,9 @@ class IntegralEquation {
   static double weight(int k) { return Rule::weights()[static_cast<std::size_t>(k)]; }
 
   double M(double x) const {
-    const double local = kernel::local_response(coating_);
     double sum = 0.0;
-    for (int panel = 0; panel < 120; ++panel)
-      sum += boost::math::quadrature::gauss<double, 10>::integrate(
-          [&](double q) { return (kernel::response(coating_, q) - local) * std::cos(q * x / coating_.thickness); },
-          0.25 * panel, 0.25 * (panel + 1));
-    return coating_.share * sum / coating_.thickness;
+    for (const Wave& wave : waves_) sum += wave.weight * std::cos(wave.k * x);
+    return sum;
   }
   // P(0) = -integral of phi'/s: phi is even, and its polynomial in s^2 through the points gives phi'/s.
   static double centre(const Solution& solution, double a) {
@@ -96,8 +107,12 @@ class IntegralEquation {
     return sum / a;
   }
 
+  struct Wave {
+    double k, weight;
+  };
   Coating coating_;
   double factor_;
+  std::vector<Wave> waves_;  ///< quadrature of M
 };
 
 dry::Solution solved(const Coating& coating, double factor, int cells, double half, mlmi::Method method) {
@@ -140,22 +155,23 @@ BOOST_AUTO_TEST_CASE(a_coated_ball_is_that_of_the_integral_equation) {
   }
 }
 
-// A ball on a thin layer on a nearly rigid body, in closed form: F = (16/9) E sqrt(R) d^(3/2) [1 + 1.133 x + 1.283 x^2
-// + 0.769 x^3 + 0.0975 x^4] with x = sqrt(R d)/t for an incompressible bonded layer, to be used for x < 1. source:
-// Dimitriadis, Horkay, Maresca, Kachar and Chadwick, Biophys. J. 82 (2002) 2798.
+// A ball on a thin layer on a nearly rigid body, in closed form: F = (16/9) E sqrt(R) d^(3/2) [1 + 1.133 x + 1.497 x^2
+// + 1.469 x^3 + 0.755 x^4], x = sqrt(R d)/t, for an incompressible bonded layer and small x: the next term is of the
+// size of x^5. source: Garcia and Garcia, Biophys. J. 114 (2018) 2923; the older series of Dimitriadis et al. (2002)
+// has the same first term and smaller ones after it.
 BOOST_AUTO_TEST_CASE(a_thin_incompressible_layer_follows_the_published_series) {
-  for (const double thickness : {4.0, 2.0, 1.4}) {
+  for (const double thickness : {8.0, 4.0, 2.0}) {
     const Coating c{{1.0, 0.5}, {1000.0, 0.3}, thickness, 1.0};
     // Lengths in a, gaps in a^2/R: with E' of the layer, factor (1 + R(infinity)) = 2/pi^2, F = 16/9 E sqrt(R) d^(3/2)
     // is load = (2 pi/3) approach^(3/2), and x = sqrt(approach)/t.
     const double factor = kernel::circular_factor / (1.0 + kernel::local_response(c));
     const dry::Solution s = solved(c, factor, 128, 1.4, mlmi::Method::fft);
     const double d = -s.H00, x = std::sqrt(d) / thickness;
-    const double series = 1.0 + x * (1.133 + x * (1.283 + x * (0.769 + x * 0.0975)));
+    const double series = 1.0 + x * (1.133 + x * (1.497 + x * (1.469 + x * 0.755)));
     const double off = load * d * std::sqrt(d) * series / load - 1.0;
-    BOOST_TEST_MESSAGE("x = " << x << ": load of the series over that of the contact, less 1: " << off
-                              << " (tolerance 0.02)");
-    BOOST_TEST(std::abs(off) < 0.02);
+    BOOST_TEST_MESSAGE("x = " << x << ": load of the series over that of the contact, less 1: " << off << " (tolerance "
+                              << 0.002 + std::pow(x, 5) << ", with 0.002 for mesh and body)");
+    BOOST_TEST(std::abs(off) < 0.002 + std::pow(x, 5));
   }
 }
 

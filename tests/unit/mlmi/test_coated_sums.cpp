@@ -36,14 +36,14 @@ BOOST_AUTO_TEST_CASE(the_default_is_as_accurate_as_for_a_half_space) {
   const Field P = ehl::tests::sampled(grid, ehl::tests::contact_pressure);
   const double half_space = error_of(grid, P, kernel::half_space());
   double worst = 0.0;
-  for (const double E : {0.1, 10.0})
-    for (const double thickness : {0.01, 0.03, 0.1, 0.3, 1.0, 10.0}) {
+  for (const double E : {0.01, 0.1, 10.0})
+    for (const double thickness : {0.01, 0.05, 0.1, 0.2, 1.0, 10.0}) {
       const double error = error_of(grid, P, coated({{E, 0.3}, {1.0, 0.3}, thickness, 0.5}));
       BOOST_TEST_MESSAGE("E " << E << ", thickness " << thickness << ": " << error << ", half-space " << half_space);
       worst = std::max(worst, error);
     }
-  BOOST_TEST_MESSAGE("largest " << worst / half_space << " times that of a half-space (tolerance 3)");
-  BOOST_TEST(worst < 3.0 * half_space);
+  BOOST_TEST_MESSAGE("largest " << worst / half_space << " times that of a half-space (tolerance 1.5)");
+  BOOST_TEST(worst < 1.5 * half_space);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
