@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
 
   for (const auto& [name, text, words] :
        {std::tuple{"per_cent", "5,0.03\n20,0.04\n", std::vector<std::string>{"per_cent.csv:1"}},
-        {"one", "0.1,0.03\n", std::vector<std::string>{"one.csv"}},
+        {"one", "0.1,0.03\n", std::vector<std::string>{"--measured"}},
         {"odd", "0.1,0.03\n0.2,0.03,0.001\n", std::vector<std::string>{"odd.csv:2"}}}) {
     scene.folder.write(std::string(name) + ".csv", text);
     const support::Ended refused =

@@ -20,7 +20,7 @@ struct Tuning {
   core::Reduction back_off = 0.8;       ///< damping of the cycles if no under-relaxation helps
   core::Share least_damping = 0.5;      ///< lower limit of back_off [bench: heat_back_off]
   core::Share enough_of_a_pass = 0.5;   ///< factor on the residual at which a pass ends [bench: heat_cycles_of_a_pass]
-  core::Count most_cycles = 4;          ///< most cycles of a pass [bench: heat_cycles_of_a_pass]
+  core::Count most_cycles = 8;          ///< most cycles of a pass [bench: heat_cycles_of_a_pass]
   core::Count quick = 3;                ///< first passes, with one sweep of the temperature [bench: heat_slow_sweeps]
   core::Count sweeps_when_slow = 3;     ///< sweeps in the later passes [bench: heat_slow_sweeps]
   core::Positive order = 2.0;           ///< order of friction and temperatures [bench: heat_order_of_two_grids]
