@@ -21,8 +21,8 @@ std::vector<std::string> names_of(const std::string& body) {
 std::vector<deck::Key> coating_keys() {
   std::vector<deck::Key> keys;
   for (const std::string body : {"1", "2"}) {
-    const std::string name = "coating" + body;
-    keys.push_back({.name = name + "_E",
+    const std::vector<std::string> names = names_of(body);
+    keys.push_back({.name = names[0],
                     .unit = "Pa",
                     .range = {0.0, infinity, true, true},
                     .meaning = "Young's modulus of an elastic coating bonded to body " + body +
@@ -30,11 +30,11 @@ std::vector<deck::Key> coating_keys() {
                                "scales E', a, p_h, M and L are then those of uncoated bodies that yield about as much.",
                     .source = "O'Sullivan and King 1988; Nogi and Kato 1997",
                     .example = "300e9"});
-    keys.push_back({.name = name + "_nu",
+    keys.push_back({.name = names[1],
                     .range = {-1.0, 0.5, true, false},
                     .meaning = "Poisson's ratio of the coating of body " + body + ".",
                     .example = "0.2"});
-    keys.push_back({.name = name + "_thickness",
+    keys.push_back({.name = names[2],
                     .unit = "m",
                     .range = {0.0, 1.0, true, false},
                     .remedy = "2 um are 2e-6",

@@ -34,31 +34,31 @@ double line_integral(const SmoothPart& smooth, double X, double hx) {
   return hx * sum;
 }
 
-// The kernel of the materials at the surface alone, over that of the uncoated bodies.
-double local(const Kernel& kernel) {
-  double sum = 1.0;
-  for (const SmoothPart& smooth : kernel.coatings) sum += smooth.local();
-  return sum;
+double uncoated(const Kernel& kernel, double r) { return kernel.plane ? -std::log(r) : 1.0 / r; }
+
+// Makes the coefficient K of the uncoated bodies that of the coated ones. in: of(smooth), the integral of a smooth
+// part.
+template <class Integral>
+void add_coatings(const Kernel& kernel, double& K, Integral of) {
+  double local = 1.0;
+  for (const SmoothPart& smooth : kernel.coatings) local += smooth.local();
+  K *= local;
+  for (const SmoothPart& smooth : kernel.coatings) K += of(smooth);
 }
 
 }  // namespace
 
 double by_coatings(const Kernel& kernel, double r) {
-  const double uncoated = kernel.plane ? -std::log(r) : 1.0 / r;
   double sum = 0.0;
-  for (const SmoothPart& smooth : kernel.coatings) sum += smooth.local() * uncoated + smooth(r);
+  for (const SmoothPart& smooth : kernel.coatings) sum += smooth.local() * uncoated(kernel, r) + smooth(r);
   return sum;
 }
 
-double at_distance(const Kernel& kernel, double r) {
-  return (kernel.plane ? -std::log(r) : 1.0 / r) + by_coatings(kernel, r);
-}
+double at_distance(const Kernel& kernel, double r) { return uncoated(kernel, r) + by_coatings(kernel, r); }
 
 double influence(const Kernel& kernel, int d_x, int d_y, double hx, double hy) {
   double K = influence(d_x, d_y, hx, hy);
-  if (kernel.coatings.empty()) return K;
-  K *= local(kernel);
-  for (const SmoothPart& smooth : kernel.coatings) K += integral(smooth, d_x * hx, d_y * hy, hx, hy);
+  add_coatings(kernel, K, [&](const SmoothPart& smooth) { return integral(smooth, d_x * hx, d_y * hy, hx, hy); });
   return K;
 }
 
@@ -71,22 +71,18 @@ double distributed_influence(const Kernel& kernel, int d_x, int d_y, double hx, 
 InfluenceTable influence_table(const Kernel& kernel, int n_x, int n_y, double hx, double hy, int every_x, int every_y) {
   InfluenceTable table = influence_table(n_x, n_y, hx, hy, every_x, every_y);
   if (kernel.coatings.empty()) return table;
-  const double times = local(kernel);
   double* K = table.K.data();
   for (int i = 0; i <= n_x; ++i)
-    for (int j = 0; j <= n_y; ++j, ++K) {
-      *K *= times;
-      for (const SmoothPart& smooth : kernel.coatings)
-        *K += integral(smooth, i * every_x * hx, j * every_y * hy, hx, hy);
-    }
+    for (int j = 0; j <= n_y; ++j, ++K)
+      add_coatings(kernel, *K, [&](const SmoothPart& smooth) {
+        return integral(smooth, i * every_x * hx, j * every_y * hy, hx, hy);
+      });
   return table;
 }
 
 double line_influence(const Kernel& kernel, int d, double hx) {
   double K = line_influence(d, hx);
-  if (kernel.coatings.empty()) return K;
-  K *= local(kernel);
-  for (const SmoothPart& smooth : kernel.coatings) K += line_integral(smooth, d * hx, hx);
+  add_coatings(kernel, K, [&](const SmoothPart& smooth) { return line_integral(smooth, d * hx, hx); });
   return K;
 }
 
@@ -97,12 +93,9 @@ double distributed_line_influence(const Kernel& kernel, int d, double hx) {
 std::vector<double> line_influence_table(const Kernel& kernel, int n, double hx, int every) {
   std::vector<double> table = line_influence_table(n, hx, every);
   if (kernel.coatings.empty()) return table;
-  const double times = local(kernel);
-  for (int d = 0; d <= n; ++d) {
-    double& K = table[static_cast<std::size_t>(d)];
-    K *= times;
-    for (const SmoothPart& smooth : kernel.coatings) K += line_integral(smooth, d * every * hx, hx);
-  }
+  for (int d = 0; d <= n; ++d)
+    add_coatings(kernel, table[static_cast<std::size_t>(d)],
+                 [&](const SmoothPart& smooth) { return line_integral(smooth, d * every * hx, hx); });
   return table;
 }
 

@@ -216,8 +216,6 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
       take_slack(problem.cavitation, fine, coarse);
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r, left_to_relaxation(fine, coarse));
     coarse.role = Role::corrects;
-    // A coarse film that falls to zero would cut the contact off from its surroundings.
-    coarse.finer->H_floor = hierarchy.parameters.tuning.coarse_film_floor;
     coarse.H00_of_boundary = fine.H00_of_boundary;
     coarse.scheme = coarse_scheme_of(problem);
   }

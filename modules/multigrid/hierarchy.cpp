@@ -56,6 +56,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
                  const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
+  // A coarse film that falls to zero would cut the contact off from its surroundings.
+  const auto from_finer = [&] { return FromFiner{zero(), zero(), parameters.tuning.coarse_film_floor}; };
   // A colour has every second line; one more batch holds the lines next to its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const bool along_line = relaxes_along_line(grid, parameters.relaxation, problem.cavitation);
@@ -80,7 +82,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .drho_bar = zero(),
           .f = only_below_the_finest(),
           .F = problem.surface ? zero() : only_below_the_finest(),
-          .finer = finest ? std::nullopt : std::optional(FromFiner{zero(), zero()}),
+          .finer = finest ? std::nullopt : std::optional(from_finer()),
           .r = zero(),
           .content = reynolds::conserves(problem.cavitation)
                          ? std::optional(OilContent{zero(), std::vector<double>(nodes_y), zero(), zero()})

@@ -8,15 +8,12 @@
 namespace ehl::heat {
 namespace {
 
-void restrict_weighted(const core::Patch& fine, const core::Patch& coarse, core::Field& from, core::Field& to) {
-  core::fill_ghosts(fine, from);
-  transfer::restrict_full_weighting(coarse, from, to);
-}
-
 void restrict_to_corrector(multigrid::Level& fine, multigrid::Level& coarse) {
   for (const auto field :
-       {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across})
-    restrict_weighted(fine.grid, coarse.grid, *fine.factors.*field, *coarse.factors.*field);
+       {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across}) {
+    core::fill_ghosts(fine.grid, *fine.factors.*field);
+    transfer::restrict_full_weighting(coarse.grid, *fine.factors.*field, *coarse.factors.*field);
+  }
   transfer::restrict_injection(fine.factors->carried, coarse.factors->carried);
 }
 
@@ -67,7 +64,7 @@ double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const therma
 }
 
 void set_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const film::FactorFields& factors) {
-  for (const auto field : film::factor_fields) core::copy(factors.*field, *hierarchy.levels[l].factors.*field);
+  *hierarchy.levels[l].factors = factors;
   restrict_factors(hierarchy, l);
 }
 

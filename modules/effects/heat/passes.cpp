@@ -151,7 +151,7 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
   for (int n = 1; n <= parameters.most; ++n) {
     const multigrid::State kept = multigrid::state_of(hierarchy, l);
     const multigrid::Damping damping = run.damping;
-    for (const auto field : film::factor_fields) core::copy(*level.factors.*field, factors_before.*field);
+    factors_before = *level.factors;
     const double asked = renew(tuning, hierarchy, l, n, film, weight, result.balance);
     const double factor = std::clamp(asked / asked_before, tuning.least_q, tuning.most_q);
     if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
