@@ -31,7 +31,7 @@ set y2tics steps_of(film_top)
 eval box(m(13), m(film_top < 1e4 ? 16 : 18), m(10), m(top + 4))
 set y2label axis_H textcolor rgb blue offset film_top < 1e4 ? -1 : -0.6, 0
 eval key_above
-set samples 2001
+set samples 4 * points + 1
 plot Hertz(x) axes x1y1 with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
      line("P", left, right) using 1:2 axes x1y1 with lines lw 1 lc rgb red title si ? "p" : "P", \
      line(film, left, right) using 1:2 axes x1y2 with lines lw 1 lc rgb blue title film eq "gap" ? "gap" : si ? "h" : "H"

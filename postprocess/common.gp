@@ -5,6 +5,7 @@
 #   title    text above the figure            si       1: axes in um, nm, GPa (the contact is given in SI)
 #   frame    number of a field in time (default: the last one); when: its time, in words
 #   seconds  1: times in ms, 0 (default): in a/u_m
+#   points   points of a map along x (default 500); a line has three times as many
 #   mm       width of the picture in mm (default: that of the figure); pixels: the width of a PNG or SVG instead
 if (!exists("file")) exit error "no result: gnuplot -e \"file='result.h5'\" postprocess/FIGURE.gp"
 # Empty if the program could not find its own path (no /proc).
@@ -16,6 +17,7 @@ if (!exists("title")) title = ""
 if (!exists("when")) when = ""
 if (!exists("si")) si = 0
 if (!exists("seconds")) seconds = 0
+if (!exists("points")) points = 500
 if (!exists("mm")) mm = 0
 if (!exists("pixels")) pixels = 0
 if (format ne "png" && format ne "svg" && format ne "pdf") exit error "format: png, svg or pdf, not ".format

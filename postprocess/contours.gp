@@ -4,7 +4,7 @@ set contour base
 unset surface
 set cntrparam levels incremental step * ceil(low / step + 1e-9), step, highest
 set table $contours
-splot field(name, 250) matrix nonuniform using 1:2:3 with lines nosurface
+splot field(name, points / 2) matrix nonuniform using 1:2:3 with lines nosurface
 unset table
 unset contour
 

@@ -1,5 +1,6 @@
 # figure: the film over the contact as an optical interferogram
 # needs: /fields/H map
+# not on the page
 figure = "interferogram"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"

@@ -1,6 +1,6 @@
 # Shared by film_contours and pressure_contours: a field over the contact in colours, with labelled contour lines.
 load here."/window.gp"
-stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
+stats field(name, points) matrix nonuniform using 3 nooutput prefix "F"
 low = name eq "P" ? 0 : F_min
 # Outside the contact the film grows without bound; films thicker than this are pale.
 thick = 1.7 * abs(centre(name))
@@ -26,7 +26,7 @@ if (flat_field) {
   set label 1 "the same everywhere" at graph 0.5, graph 1 offset 0, 0.6 center
   plot field(name, 50) matrix nonuniform using 1:2:3 with image
 } else {
-  plot field(name, 500) matrix nonuniform using 1:2:3 with image, \
+  plot field(name, points) matrix nonuniform using 1:2:3 with image, \
        $contours using 1:2 with lines lw 0.4 lc rgb "#333333", \
        $labels using 1:2:3 with labels boxed font ",6"
 }

@@ -18,7 +18,8 @@ of_frame(name, k) = sprintf("/transient/frames/%s --step %d", name, k)
 where(name) = in_time && (name eq "P" || name eq "H") ? of_frame(name, frame) : name
 field(name, points) = sprintf("< %s%s --matrix --sample %d --window=%.9g:%.9g,%.9g:%.9g", \
     read, where(name), points, left, right, bottom, bottom + 2 * far)
-line(name, x0, x1) = sprintf("< %s%s --along x --at y=0 --sample 1500 --window=%.9g:%.9g", read, where(name), x0, x1)
+line(name, x0, x1) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", \
+    read, where(name), 3 * points, x0, x1)
 grid(name) = "< ".read.where(name)
 # The last line of the heading names the columns; gnuplot needs it without the comment sign.
 table(name) = "< ".read.name." | awk '/^#/ {header = $0; next} !seen {sub(/^# */, \"\", header); print header; seen = 1} {print}'"

@@ -13,7 +13,7 @@ wet = name eq "H" ? centre(name) : 0
 shape(s) = wet + s - S_min
 set multiplot
 set xrange [left:right]
-set samples 2001
+set samples 4 * points + 1
 
 eval box(m(13), m(20), map + panel + m(4), m(top + 4))
 unset label 1
@@ -49,5 +49,5 @@ eval "set palette ".(name eq "H" ? film_colours : pressure_colours)
 set cbrange [name eq "H" ? F_min : 0:bar_top]
 set cbtics steps_of(bar_top - (name eq "H" ? F_min : 0))
 set cblabel name eq "H" ? axis_H : axis_P
-plot field(shown, 500) matrix nonuniform using 1:2:3 with image
+plot field(shown, points) matrix nonuniform using 1:2:3 with image
 unset multiplot

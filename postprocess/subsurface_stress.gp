@@ -11,7 +11,7 @@ left = A_min > -1.8 * a ? A_min : -1.8 * a
 right = A_max < 1.8 * a ? A_max : 1.8 * a
 bottom = 0
 far = D_max / 2
-stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
+stats field(name, points) matrix nonuniform using 3 nooutput prefix "F"
 stats line("P", left, right) using 2 nooutput prefix "P"
 # Label and symbol of the global maximum; the symbol is open if the maximum lies outside this section.
 where_to(axis) = number("/subsurface/largest_sigma_mises_".axis)
@@ -37,7 +37,7 @@ set format x ""
 set ylabel axis_P offset 1, 0
 set yrange [0:1.1 * (P_max > p_h ? P_max : p_h)]
 set ytics steps_of(P_max)
-set samples 2001
+set samples 4 * points + 1
 eval key_above
 plot Hertz(x) with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
      line("P", left, right) using 1:2 with lines lw 1 lc rgb red title "pressure"
@@ -57,7 +57,7 @@ eval "set palette ".pressure_colours
 set cbrange [0:F_max]
 set cblabel si ? "σ_{Mises} [GPa]" : "σ_{Mises}/p_h"
 unset key
-plot field(name, 500) matrix nonuniform using 1:2:3 with image, \
+plot field(name, points) matrix nonuniform using 1:2:3 with image, \
      $contours using 1:2 with lines lw 0.4 lc rgb "#333333", \
      $labels using 1:2:3 with labels boxed font ",6"
 unset multiplot

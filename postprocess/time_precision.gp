@@ -15,7 +15,8 @@ if (said("reference error Hc") eq "") exit error file.": this is no table of 'eh
 quantities = system(sprintf("sed -n 's/^# reference error \\([A-Za-z0-9_]*\\): .*/\\1/p' '%s' | tr '\\n' ' '", file))
 # In older tables, a deviation from the reference was called an error.
 before = system(sprintf("grep -c '^rtol.*,deviation_' '%s'", file)) eq "0" ? "error_" : "deviation_"
-limit(name) = real(said("reference error ".name))
+array limits[words(quantities)]
+do for [k = 1:words(quantities)] { limits[k] = real(said("reference error ".word(quantities, k))) }
 label_of(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
 missing = system(sprintf("awk -F, '/^#/ {next} !at {for (k = 1; k <= NF; ++k) if ($k == \"status\") at = k; next} \
 $at != \"complete\" {printf \"%%s%%s\", n++ ? \", \" : \"\", $1}' '%s'", file))
@@ -36,7 +37,7 @@ lowest = 1e300
 highest = 0.0
 do for [k = 1:words(quantities)] {
   name = word(quantities, k)
-  stats file using (complete(0) ? percent(floor_of(column(before.name), limit(name))) : NaN) nooutput prefix "E"
+  stats file using (complete(0) ? percent(floor_of(column(before.name), limits[k])) : NaN) nooutput prefix "E"
   lowest = E_min < lowest ? E_min : lowest
   highest = E_max > highest ? E_max : highest
 }
@@ -67,9 +68,9 @@ do for [panel = 1:3] {
   if (panel == 3) {set xrange [N_min / 1.4:N_max * 1.4]; set format x "%g"; set xlabel "steps" offset 0, 0.6}
   if (panel == 1) {set ylabel "largest error over the run [%]" offset 0.8, 0} else {unset ylabel}
   plot for [k = 1:words(quantities)] file using \
-         (complete(0) ? column(against) : NaN):(percent(floor_of(column(before.word(quantities, k)), limit(word(quantities, k))))) \
+         (complete(0) ? column(against) : NaN):(percent(floor_of(column(before.word(quantities, k)), limits[k]))) \
          with linespoints pt shape(k) ps 1.0 lw 1.2 lc rgb colour(k), \
-       for [k = 1:words(quantities)] percent(limit(word(quantities, k))) with lines dt 3 lw 0.8 lc rgb colour(k)
+       for [k = 1:words(quantities)] percent(limits[k]) with lines dt 3 lw 0.8 lc rgb colour(k)
 }
 
 # The key of the curves, below the panels.

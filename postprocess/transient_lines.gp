@@ -1,5 +1,6 @@
 # figure: film and pressure along the line y = 0 at six times
 # needs: /transient/frames/H /transient/frames/P
+# not on the page
 figure = "transient_lines"
 here = system(sprintf("dirname '%s'", ARG0))
 when = ""

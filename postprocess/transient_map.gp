@@ -1,5 +1,6 @@
 # figure: film along the line y = 0 against time
 # needs: /transient/frames/H
+# not on the page
 figure = "transient_map"
 here = system(sprintf("dirname '%s'", ARG0))
 when = ""

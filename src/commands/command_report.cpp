@@ -1,9 +1,10 @@
-// ehl report: writes results and tables as one page that needs only a browser.
+// ehl report: writes results and tables as one page that needs only a browser, with figures drawn by gnuplot.
 #include <filesystem>
 #include <span>
 
 #include "base/exit_status.hpp"
 #include "commands/commands.hpp"
+#include "commands/page_figures.hpp"
 #include "page/section.hpp"
 #include "results/atomic_file.hpp"
 #include "results/outputs.hpp"
@@ -14,10 +15,14 @@
 namespace ehl::program {
 namespace {
 
-PageSection section_on(const std::string& path) {
-  if (!path.ends_with(".csv")) return result_section(path);
+// in: number: that of the file on the page.
+PageSection section_on(const std::string& path, std::size_t number, const Arguments& arguments) {
+  const DrawnFigures figures = figures_for_page(path, number, arguments);
+  if (!path.ends_with(".csv")) return result_section(path, figures);
   const std::string mark = mark_of(path);
-  return mark == sweep_mark ? sweep_section(path) : mark == study_mark ? study_section(path) : time_study_section(path);
+  return mark == sweep_mark   ? sweep_section(path, figures)
+         : mark == study_mark ? study_section(path, figures)
+                              : time_study_section(path, figures);
 }
 
 // The default name: that of the first file, in the same folder.
@@ -36,7 +41,8 @@ int report(const Arguments& arguments) {
   const bool overwrite = arguments.has("overwrite");
   results::check_files(arguments.operands, {{path, results::FileKind::page, overwrite}});
   std::vector<PageSection> sections;
-  for (const std::string& operand : arguments.operands) sections.push_back(section_on(operand));
+  for (const std::string& operand : arguments.operands)
+    sections.push_back(section_on(operand, sections.size() + 1, arguments));
   const std::string page = page_of(arguments.value("title", ""), sections);
   results::write_atomically(path, std::as_bytes(std::span(page)), overwrite);
   print(path + "\n");

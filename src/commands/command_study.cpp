@@ -1,7 +1,6 @@
 // ehl study: accuracy against computing time.
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
@@ -11,8 +10,8 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "results/outputs.hpp"
-#include "tables/children.hpp"
 #include "tables/csv.hpp"
+#include "tables/study_measure.hpp"
 #include "tables/study_report.hpp"
 
 namespace ehl::program {
@@ -103,41 +102,19 @@ Case reference_case(const Grids& grids, int cells) {
   return input;
 }
 
-// Each method on its grid, measured once.
-std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& variants, int at_once, bool quiet,
-                                      const std::function<Case(int cells)>& on_grid) {
-  return computed_rows<StudyPoint, StudyCase>(
-      variants, at_once, quiet, [&](const StudyCase& variant) { return measure(on_grid(variant.cells), variant); },
-      [](const StudyCase& variant) { return std::to_string(variant.cells) + " cells, " + name_of_variant(variant); });
-}
-
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
   std::vector<StudyCase> variants;
-  for (const int one : cells) variants.push_back({one, "upstream3", "fft", "run"});
+  for (const int one : cells)
+    variants.push_back({.cells = one, .wedge = "upstream3", .evaluator = "fft", .cycles = "run"});
   if (!quiet) std::fprintf(stderr, "ehl: the reference, on %zu grids\n", cells.size());
-  const std::vector<StudyPoint> solutions =
-      measured_once(variants, 1, quiet, [&](int one) { return reference_case(grids, one); });
+  const std::vector<StudyPoint> solutions = measured(variants, 1, 1, quiet, [&](const StudyCase& variant) {
+    return measure(reference_case(grids, variant.cells), variant);
+  });
   const Reference reference = reference_of(solutions);
   if (reference.cells.size() < 2)
     throw core::SolverError("the reference needs second-order solutions with a residual of 1e-10 on two grids: " +
                             (solutions.back().reason.empty() ? "the deck has one grid only" : solutions.back().reason));
   return reference;
-}
-
-std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& variants, const StudyHeader& header,
-                                 bool quiet) {
-  if (!quiet) std::fprintf(stderr, "ehl: %zu variants, %d times each\n", variants.size(), header.repeats);
-  const std::vector<StudyPoint> all =
-      measured_once(repeated(variants, header.repeats), header.jobs, quiet, [&](int cells) { return grids.on(cells); });
-  std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(variants.size()));
-  for (std::size_t k = variants.size(); k < all.size(); ++k) {
-    StudyPoint& kept = points[k % variants.size()];
-    if (kept.status == "failed")
-      kept = all[k];
-    else if (all[k].status != "failed")
-      add_repetition(all[k], kept);
-  }
-  return points;
 }
 
 }  // namespace
@@ -175,7 +152,10 @@ int study(const Arguments& arguments) {
   results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});
 
   const Reference reference = find_reference(grids, finest, quiet);
-  std::vector<StudyPoint> points = measured(grids, variants, header, quiet);
+  if (!quiet) std::fprintf(stderr, "ehl: %zu variants, %d times each\n", variants.size(), repeats);
+  std::vector<StudyPoint> points = measured(variants, repeats, jobs, quiet, [&](const StudyCase& variant) {
+    return measure(grids.on(variant.cells), variant);
+  });
   judge(reference, points);
   write_table(path, study_csv(header, reference, points), arguments.has("overwrite"));
   print(study_report(header, reference, points) + "\ntable        " + path + "\n");

@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "base/exit_status.hpp"
-#include "base/progress.hpp"
-#include "base/signals.hpp"
 #include "base/text_format.hpp"
 #include "case/catalogue.hpp"
 #include "case/needs.hpp"
@@ -74,13 +72,6 @@ std::string summary_of_bars(const SweepTable& table, const std::vector<std::size
   return text;
 }
 
-// ", 40 s left", extrapolated from the cases that are done.
-std::string time_left(std::size_t done, std::size_t cases, double began) {
-  if (done == 0) return "";
-  const double left = (core::now() - began) * static_cast<double>(cases - done) / static_cast<double>(done);
-  return ", " + about_seconds(left) + " left";
-}
-
 // The shard that the command line or the job array of a scheduler asks for.
 Shard wanted_shard(const Arguments& arguments) {
   if (arguments.has("shard")) return parse_shard(arguments.value("shard", ""));
@@ -102,11 +93,13 @@ void check_files(const Arguments& arguments, const SweepHeader& header, const st
   for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
   if (arguments.has("cases")) inputs.push_back(arguments.value("cases", ""));
   std::vector<results::Output> outputs{{table, results::FileKind::table, true}};
-  if (arguments.has("keep")) {
-    outputs.push_back({name_of_kept(table), results::FileKind::kept_results, true});
-    outputs.push_back({journal_of_kept(table), results::FileKind::journal, true});
-  }
+  if (arguments.has("keep")) outputs.push_back({name_of_kept(table), results::FileKind::kept_results, true});
   results::check_files(inputs, outputs);
+  const std::string folder = folder_of_kept(table);
+  if (arguments.has("keep") && std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw core::FileError(folder +
+                          ": already exists and is not the folder of the results of a sweep: move it away, or " +
+                          "give another --output");
 }
 
 int merge(const Arguments& arguments) {
@@ -183,32 +176,22 @@ int sweep(const Arguments& arguments) {
     std::ranges::sort(missing);
   }
   const std::size_t cases = own.size();
-  Progress progress(arguments.has("quiet"));
-  std::size_t done = 0;
   const SweepRow nothing_known = sweep_row(header.columns);
-  ChildrenCalls calls;
-  calls.stop = stop_requested;
-  // The text is the row, which is one line, followed by the result to keep.
-  calls.task = [&](std::size_t index, const Say& say) {
+  // The text of a task is the row, which is one line, followed by the result to keep.
+  const auto compute = [&](std::size_t index, const Say& say) {
     std::string result;
     const std::string row = csv_row(sweep_case(header, overrides_of(index), say, kept ? &result : nullptr));
     return result.empty() ? row : row + "\n" + result;
   };
-  calls.waits = [&](const ChildAtWork& child) {
-    progress.show(static_cast<double>(done) / static_cast<double>(missing.size()),
-                  fmt::format("{}/{}{}  {}, {:.0f} s so far: {}", done, missing.size(),
-                              time_left(done, missing.size(), began), name_of(child.task), child.seconds, child.says));
-  };
-  calls.ended = [&](const ChildEnd& end) {
+  const auto ended = [&](const ChildEnd& end) {
     const SweepRow failure = row_without_solution(nothing_known, "failed", end.status, end.reason);
     const std::string text = end.complete ? end.text : csv_row(failure);
     const std::string row = text.substr(0, text.find('\n'));
-    if (row.size() < text.size()) kept->append(name_of(end.task), text.substr(row.size() + 1));
+    if (row.size() < text.size()) kept->add(name_of(end.task), text.substr(row.size() + 1));
     table.append(end.task, row);
-    progress.count(++done, missing.size(), name_of(end.task) + "  " + row.substr(0, row.find(',')));
+    return row.substr(0, row.find(','));
   };
-  const bool finished = run_in_children(missing, at_once, calls);
-  progress.clear();
+  const bool finished = run_watched({missing, at_once, arguments.has("quiet"), name_of, compute, ended});
   if (!finished) {
     std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command continues the sweep\n",
                  cases - table.missing().size(), cases, path.c_str());

@@ -183,7 +183,7 @@ const std::vector<Command>& commands() {
       {"report",
        "FILE.h5|TABLE.csv...",
        "writes one HTML page of results and of tables of sweeps and studies: figures, numbers with error bars, "
-       "warnings, deck, provenance. The page needs no network; several files are compared",
+       "warnings, deck, provenance. The figures need gnuplot. The page needs no network; several files are compared",
        {{"output", "FILE.html", "page to write (default: FILE_report.html next to the first file)"},
         {"title", "TEXT", "heading of the page (default: the title of the deck)"},
         {"overwrite", "", "replaces an existing page"}},

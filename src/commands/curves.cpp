@@ -71,8 +71,18 @@ bool makes_curves(const SweepData& table) {
   const std::string x = longest_key(table);
   // The film hardly depends on sliding and is shown below the friction instead.
   const bool traction = x == "motion.srr" && table.has(id::mu);
-  return !x.empty() && !traction && !films(table).empty() &&
-         curves_by(table, defaults(table, x).by).size() <= most_curves;
+  return !x.empty() && !traction && !films(table).empty() && !too_many_curves(table);
+}
+
+bool too_many_curves(const SweepData& table) {
+  return curves_by(table, defaults(table, longest_key(table)).by).size() > most_curves;
+}
+
+bool has_points(const SweepData& table, const std::vector<std::string>& columns) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (const std::string& column : columns)
+      if (table.cell(row, id::status) == "converged" && std::isfinite(table.number(row, column))) return true;
+  return false;
 }
 
 CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments) {

@@ -25,6 +25,12 @@ CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments);
 /// True if the default choice gives curves for a table.
 bool makes_curves(const SweepData& table);
 
+/// True if the default choice gives more curves than a picture can show.
+bool too_many_curves(const SweepData& table);
+
+/// True if a converged case has a number in one of the columns.
+bool has_points(const SweepData& table, const std::vector<std::string>& columns);
+
 struct Curves {
   std::string data{};  ///< for gnuplot: one block per series, with rows "x y error formula..." in the order of x
   std::vector<Setting> settings{};

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "base/machine.hpp"
 #include "commands/arguments.hpp"
@@ -61,7 +62,8 @@ std::vector<Figure> figures_in(const std::string& folder) {
                   entry.path(),
                   {},
                   movie,
-                  movie || third == "# on demand",
+                  movie || third == "# on demand" || third == "# on the page",
+                  !movie && third != "# on demand" && third != "# not on the page",
                   third == "# curves"};
     if (second.starts_with(needs)) figure.needs = deck::split_words(second.substr(needs.size()));
     found.push_back(figure);
@@ -89,6 +91,19 @@ std::vector<Figure> selected_figures(const std::vector<Figure>& all, const std::
   for (const Figure& figure : all)
     if (!figure.on_demand && kind_of(figure) == source.kind && std::ranges::all_of(figure.needs, source.has))
       chosen.push_back(figure);
+  return chosen;
+}
+
+std::vector<Figure> figures_of_page(const std::vector<Figure>& all, const FigureSource& source) {
+  const bool in_time = std::ranges::find(source.settings, "frame", &Setting::name) != source.settings.end();
+  const auto fits = [&](const Figure& figure) {
+    const bool of_course =
+        std::ranges::any_of(figure.needs, [](const std::string& need) { return need.starts_with("/transient"); });
+    return figure.on_page && kind_of(figure) == source.kind && std::ranges::all_of(figure.needs, source.has) &&
+           (!in_time || of_course || figure.on_demand);
+  };
+  std::vector<Figure> chosen;
+  std::ranges::copy_if(all, std::back_inserter(chosen), fits);
   return chosen;
 }
 

@@ -16,7 +16,8 @@ struct Figure {
   std::vector<std::string> needs{};  ///< the datasets that the figure needs; or the kind of table, "sweep", "study" or
                                      ///< "time_study", followed by the columns that it needs
   bool movie = false;                ///< the output is a GIF, whatever the format
-  bool on_demand = false;            ///< drawn only if asked for by name, as is every movie
+  bool on_demand = false;            ///< `ehl plot` draws it only if asked for by name, as every movie
+  bool on_page = true;               ///< `ehl report` draws it
   bool of_curves = false;            ///< draws the rows of a sweep as curves
 };
 
@@ -44,8 +45,10 @@ struct FigureSource {
   std::shared_ptr<const SweepData> table{};  ///< set for a sweep
 };
 
-/// A script is a figure if its first line is "# figure: title". Lines "# needs: name...", "# movie", "# on demand" or
-/// "# curves" may follow. errors: core::FileError if the folder does not exist or contains no figure.
+/// A script is a figure if its first line is "# figure: title". A line "# needs: name..." follows, and one of: "#
+/// movie"; "# curves";
+/// "# on demand", by `ehl plot` alone; "# on the page", by `ehl report` and otherwise on demand; "# not on the page".
+/// errors: core::FileError if the folder does not exist or contains no figure.
 std::vector<Figure> figures_in(const std::string& folder);
 
 /// The folder of the scripts: EHL_POSTPROCESS, or the folder next to an installed program, or that of the source.
@@ -55,6 +58,10 @@ std::string folder_of_scripts();
 /// not drawn on demand only. errors: core::InputError.
 std::vector<Figure> selected_figures(const std::vector<Figure>& all, const std::vector<std::string>& names,
                                      const FigureSource& source);
+
+/// The figures of this source that stand on its page: those of `ehl plot`, and those that only the page shows. A run in
+/// time has those of its course; the frames show its fields.
+std::vector<Figure> figures_of_page(const std::vector<Figure>& all, const FigureSource& source);
 
 /// A printed list of all figures with their contents and needs.
 std::string list_of_figures(const std::vector<Figure>& all);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "base/machine.hpp"
 #include "base/signals.hpp"
 #include "core/errors.hpp"
 
@@ -34,14 +36,44 @@ constexpr int not_started = 127;  // the status by which a shell reports that th
   ::_exit(not_started);
 }
 
+void run_gnuplot(const std::string& settings, const std::string& script, const std::string& figure) {
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child < 0) throw core::FileError(std::string("gnuplot cannot be started: ") + std::strerror(errno));
+  if (child == 0) be_gnuplot(settings, script, parent);
+  int status = 0;
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (stop_requested()) ::kill(child, SIGKILL);
+    std::this_thread::sleep_for(wake_interval);
+  }
+  if (stop_requested()) throw core::Interrupted();
+  if (WIFEXITED(status) && WEXITSTATUS(status) == not_started) throw core::FileError(no_gnuplot);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw core::FileError("gnuplot failed on figure " + figure + "; its message is above");
+}
+
+std::string gnuplot_text(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& one : settings)
+    text += (text.empty() ? "" : "; ") + one.name + "=" + (one.is_text ? gnuplot_literal(one.value) : one.value);
+  return text;
+}
+
+[[noreturn]] void no_memory() {
+  throw core::FileError(std::string("no memory for a picture: ") + std::strerror(errno));
+}
+
 }  // namespace
 
 std::string gnuplot_literal(const std::string& text) {
   std::string literal = "\"";
+  bool in_octal = false;  // gnuplot reads every digit that follows as a part of the number
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     const bool plain = code >= 0x80 || std::isalnum(code) != 0 || std::strchr(" ./_-", c) != nullptr;
-    literal += plain && c != '\0' ? std::string(1, c) : fmt::format("\\{:03o}", code);
+    const bool as_it_is = plain && c != '\0' && !(in_octal && std::isdigit(code) != 0);
+    literal += as_it_is ? std::string(1, c) : fmt::format("\\{:03o}", code);
+    in_octal = !as_it_is;
   }
   return literal + "\"";
 }
@@ -70,21 +102,43 @@ std::string PlainNames::of(const std::string& path, const std::string& link) {
   return plain;
 }
 
-void run_gnuplot(const std::string& settings, const std::string& script, const std::string& figure) {
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) throw core::FileError(std::string("gnuplot cannot be started: ") + std::strerror(errno));
-  if (child == 0) be_gnuplot(settings, script, parent);
-  int status = 0;
-  while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (stop_requested()) ::kill(child, SIGKILL);
-    std::this_thread::sleep_for(wake_interval);
+MemoryFile::MemoryFile() : descriptor_(::memfd_create("picture", 0)) {
+  if (descriptor_ < 0) no_memory();
+}
+
+MemoryFile::~MemoryFile() { ::close(descriptor_); }
+
+void MemoryFile::hold(const std::string& text) const {
+  const bool done = ::ftruncate(descriptor_, 0) == 0 &&
+                    ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+  if (!done) no_memory();
+}
+
+std::string MemoryFile::text() const {
+  std::string text(static_cast<std::size_t>(::lseek(descriptor_, 0, SEEK_END)), '\0');
+  if (::pread(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) no_memory();
+  return text;
+}
+
+std::string MemoryFile::name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+Gnuplot::Gnuplot(const std::string& path, const FigureSource& source, const std::string& format)
+    : scripts_(names_.of(folder_of_scripts(), "scripts")),
+      settings_{{"file", names_.of(path, "data")}, {"ehl", names_.of(program_path(), "ehl")}, {"format", format}} {
+  settings_.insert(settings_.end(), source.settings.begin(), source.settings.end());
+}
+
+void Gnuplot::draw(const Figure& figure, std::vector<Setting> own, const std::string& output,
+                   const Curves* curves) const {
+  own.insert(own.begin(), settings_.begin(), settings_.end());
+  own.push_back({"output", output});
+  const MemoryFile rows;
+  if (curves != nullptr) {
+    own.insert(own.end(), curves->settings.begin(), curves->settings.end());
+    rows.hold(curves->data);
+    own.push_back({"data", rows.name()});
   }
-  if (stop_requested()) throw core::Interrupted();
-  if (WIFEXITED(status) && WEXITSTATUS(status) == not_started)
-    throw core::FileError("gnuplot cannot be started: install it (Debian: gnuplot-nox)");
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw core::FileError("gnuplot failed on figure " + figure + "; its message is above");
+  run_gnuplot(gnuplot_text(own), scripts_ + "/" + files::path(figure.script).filename().string(), figure.name);
 }
 
 }  // namespace ehl::program

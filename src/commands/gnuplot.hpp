@@ -1,8 +1,15 @@
 #pragma once
-// Runs gnuplot as a child process with the settings of a script.
+// Runs the scripts of postprocess/ by gnuplot, as a child process.
 #include <string>
+#include <vector>
+
+#include "commands/curves.hpp"
+#include "commands/figures.hpp"
 
 namespace ehl::program {
+
+/// The message if gnuplot is not installed.
+constexpr char no_gnuplot[] = "gnuplot cannot be started: install it (Debian: gnuplot-nox)";
 
 /// Any text as a string literal of gnuplot.
 std::string gnuplot_literal(const std::string& text);
@@ -27,8 +34,40 @@ class PlainNames {
 /// A name that gnuplot does not read as a pipe, for a file that only gnuplot writes; quotes are allowed.
 std::string no_pipe(const std::string& path);
 
-/// Runs a script to its end. in: settings as gnuplot commands; the script; the name of the figure for messages.
-/// errors: core::FileError if gnuplot is not installed or failed; core::Interrupted after gnuplot was ended.
-void run_gnuplot(const std::string& settings, const std::string& script, const std::string& figure);
+/// A file in memory that gnuplot can read and write. It ends with this object.
+class MemoryFile {
+ public:
+  MemoryFile();
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  /// Replaces the contents. errors: core::FileError if the memory is full.
+  void hold(const std::string& text) const;
+  std::string text() const;
+  /// Its name for this process and its children.
+  std::string name() const;
+
+ private:
+  int descriptor_;
+};
+
+/// Draws the figures of one file.
+class Gnuplot {
+ public:
+  /// in: path of the file; its source; png, svg or pdf. errors: core::FileError if a link is needed and fails.
+  Gnuplot(const std::string& path, const FigureSource& source, const std::string& format);
+
+  /// Runs the script of a figure to its end. in: own: further variables for the script, which replace those of the
+  /// source; output: the name of the picture; curves: for a figure that draws curves.
+  /// errors: core::FileError if gnuplot is not installed or failed; core::Interrupted after gnuplot was ended.
+  void draw(const Figure& figure, std::vector<Setting> own, const std::string& output,
+            const Curves* curves = nullptr) const;
+
+ private:
+  PlainNames names_{};
+  std::string scripts_{};
+  std::vector<Setting> settings_{};
+};
 
 }  // namespace ehl::program

@@ -12,8 +12,8 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/outputs.hpp"
-#include "tables/children.hpp"
 #include "tables/csv.hpp"
+#include "tables/study_measure.hpp"
 #include "tables/time_study_report.hpp"
 
 namespace ehl::program {
@@ -49,22 +49,22 @@ std::vector<double> tolerances(const Arguments& arguments) {
 }
 
 // in: look: record the film at the times of comparison; the run is then not timed.
-std::vector<TimeStudyPoint> run_variants(const Case& input, const std::vector<TimeVariant>& variants, bool look,
-                                         int at_once, bool quiet) {
-  return computed_rows<TimeStudyPoint, TimeVariant>(
-      variants, at_once, quiet,
-      [&](const TimeVariant& variant) { return measure_in_time(input, variant, look ? samples : 0); },
-      [&](const TimeVariant& variant) { return name_of_variant(variant) + (look ? "" : ", timed"); });
+std::vector<StudyPoint> run_variants(const Case& input, const std::vector<StudyCase>& variants, bool look, int times,
+                                     int at_once, bool quiet) {
+  return measured(
+      variants, times, at_once, quiet,
+      [&](const StudyCase& variant) { return measure_in_time(input, variant, look ? samples : 0); },
+      look ? "" : ", timed");
 }
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
   input.scene.threads = usable_cores();
   input.transient->parameters.most_steps = most_steps;  // the limit of the deck is meant for its own tolerance
-  const TimeVariant variant{tighter * rtol, shorter * longest_step};
-  const TimeVariant coarser{coarser_rtol * variant.rtol, coarser_step * variant.longest_step};
+  const StudyCase variant{.rtol = tighter * rtol, .longest_step = shorter * longest_step};
+  const StudyCase coarser{.rtol = coarser_rtol * variant.rtol, .longest_step = coarser_step * variant.longest_step};
   if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that estimates its error\n");
-  std::vector<TimeStudyPoint> runs = run_variants(input, {coarser, variant}, true, 1, quiet);
-  for (const TimeStudyPoint& run : runs)
+  std::vector<StudyPoint> runs = run_variants(input, {coarser, variant}, true, 1, 1, quiet);
+  for (const StudyPoint& run : runs)
     if (!is_complete(run))
       throw core::SolverError("the reference, " + name_of_variant(run.variant) + ": " + run.reason);
   TimeReference reference{std::move(runs[1]), std::move(runs[0]), {}, input.transient->parameters.probes};
@@ -72,19 +72,19 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
   return reference;
 }
 
-std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double>& rtols, double longest_step,
-                                     const StudyHeader& header, bool quiet) {
-  std::vector<TimeVariant> variants;
-  for (const double rtol : rtols) variants.push_back({rtol, longest_step});
+// Each run once for its film and several times for its seconds.
+std::vector<StudyPoint> measured_runs(const Case& input, const std::vector<StudyCase>& variants,
+                                      const StudyHeader& header, bool quiet) {
   if (!quiet)
-    std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", rtols.size(),
+    std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", variants.size(),
                  header.repeats);
-  std::vector<TimeStudyPoint> points = run_variants(input, variants, true, header.jobs, quiet);
-  for (TimeStudyPoint& point : points)
-    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // the time includes recording and does not count
-  const std::vector<TimeStudyPoint> timed =
-      run_variants(input, repeated(variants, header.repeats), false, header.jobs, quiet);
-  for (std::size_t k = 0; k < timed.size(); ++k) add_repetition(timed[k], points[k % points.size()]);
+  std::vector<StudyPoint> points = run_variants(input, variants, true, 1, header.jobs, quiet);
+  const std::vector<StudyPoint> timed = run_variants(input, variants, false, header.repeats, header.jobs, quiet);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k].seconds = timed[k].seconds;  // the time with the recording does not count
+    points[k].seconds_most = timed[k].seconds_most;
+    points[k].peak_memory = std::fmax(points[k].peak_memory, timed[k].peak_memory);
+  }
   return points;
 }
 
@@ -103,8 +103,10 @@ int study_in_time(const Arguments& arguments, const StudyHeader& header, const s
                                   ? transient::longest_step(input.transient->conditions, march.end)
                                   : march.longest_step;
   const TimeReference reference = find_reference(input, rtols.back(), longest_step, quiet);
-  std::vector<TimeStudyPoint> points = measured(input, rtols, longest_step, header, quiet);
-  for (TimeStudyPoint& point : points) point.errors = errors_in_time(reference.run, point);
+  std::vector<StudyCase> variants;
+  for (const double rtol : rtols) variants.push_back({.rtol = rtol, .longest_step = longest_step});
+  std::vector<StudyPoint> points = measured_runs(input, variants, header, quiet);
+  judge(reference, points);
   write_table(path, time_study_csv(header, reference, points), arguments.has("overwrite"));
   print(time_study_report(header, reference, points) + "table        " + path + "\n");
   return std::ranges::all_of(points, is_complete) ? solved : not_converged;

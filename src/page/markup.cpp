@@ -79,12 +79,6 @@ std::string escaped(const std::string& text) {
 
 std::string with_indices(const std::string& words) { return indices(words, {"<sub>", "</sub>", "<sup>", "</sup>"}); }
 
-std::string with_indices_svg(const std::string& words) {
-  // SVG has no subscripts: an index is shifted by dy, and the letters after it are shifted back.
-  return indices(words, {R"(<tspan dy="3" font-size="75%">)", R"(</tspan><tspan dy="-3">&#8203;</tspan>)",
-                         R"(<tspan dy="-4" font-size="75%">)", R"(</tspan><tspan dy="4">&#8203;</tspan>)"});
-}
-
 std::string unit_words(const std::string& unit) {
   static const std::map<std::string, std::string> known{{"-", ""},   {"um", "µm"},   {"a^2/R", "a²/R"},
                                                         {"C", "°C"}, {"p_h", "p_h"}, {"um/s", "µm/s"}};

@@ -8,9 +8,8 @@ namespace ehl::program {
 /// The text with all markup characters escaped. Invalid UTF-8 and control characters become U+FFFD.
 std::string escaped(const std::string& text);
 
-/// Text with indices, "film h_c [a^2/R]", escaped: _c becomes a subscript and ^2 a superscript, in HTML or in SVG.
+/// Text with indices, "film h_c [a^2/R]", escaped: _c becomes a subscript and ^2 a superscript.
 std::string with_indices(const std::string& words);
-std::string with_indices_svg(const std::string& words);
 
 /// A unit of a result in print: "µm", "a²/R"; empty for a pure number.
 std::string unit_words(const std::string& unit);

@@ -40,11 +40,9 @@ table.numbers td:first-child, table.numbers th:first-child { text-align: left; p
 table.main td:nth-child(2) { white-space: nowrap; }
 table.main tbody tr td:first-child { padding-right: 1.6em; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: .6em 1.2em; align-items: start; }
-figure { margin: .5em 0; break-inside: avoid; } figure > svg { max-width: 100%; height: auto; display: block; }
-svg text { font: 12px "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; fill: #1c1c1c; }
-svg .frame { fill: none; stroke: #333; stroke-width: 1; }
-.legend { list-style: none; margin: 0 0 0 56px; padding: 0; display: flex; flex-wrap: wrap; gap: 0 1.1em; }
-figcaption { margin-left: 56px; }
+figure { margin: .5em 0; break-inside: avoid; } figure.wide { grid-column: 1 / -1; }
+figure svg { width: 100%; max-width: 430px; height: auto; display: block; } figure.wide svg { max-width: 820px; }
+figcaption { margin-left: 4.5em; }
 details { margin: .5em 0; } summary { cursor: pointer; color: #2166ac; }
 pre { background: #f6f6f6; padding: .7em; overflow-x: auto; font-size: .85em; }
 .slider { position: sticky; top: 0; background: #fff; padding: .4em 0; z-index: 1; }
@@ -64,15 +62,13 @@ constexpr char script[] = R"js(
 for (const box of document.querySelectorAll(".frames")) {
   const data = JSON.parse(box.querySelector("script").textContent);
   const slider = box.querySelector("input"), said = box.querySelector("output"), button = box.querySelector("button");
+  const moving = box.querySelector(".moving");
   const show = () => {
     const k = Number(slider.value);
     said.textContent = data.times[k];
-    for (const [mark, list] of Object.entries(data.pictures || {}))
-      box.querySelector(`[data-mark="${mark}"]`).setAttribute("href", list[k]);
-    for (const [mark, list] of Object.entries(data.paths || {}))
-      box.querySelector(`[data-mark="${mark}"]`).setAttribute("d", list[k]);
-    for (const line of box.querySelectorAll('[data-mark="now"]'))
-      line.setAttribute("transform", `translate(${data.now[k]} 0)`);
+    const [count, ...changed] = data.changes[k], lines = data.first.slice();
+    for (const [n, text] of changed) lines[n] = text;
+    moving.innerHTML = lines.slice(0, count).join("\n");
   };
   let clock = null;
   const stop = () => { clearInterval(clock); clock = null; button.textContent = "Play"; };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/numbers/number.hpp"
+#include "page/frames.hpp"
 #include "page/result_view.hpp"
 #include "page/section.hpp"
 
@@ -57,14 +58,13 @@ std::string contact_words(const ResultView& view) {
 
 }  // namespace
 
-PageSection result_section(const std::string& path) {
+PageSection result_section(const std::string& path, const DrawnFigures& figures) {
   const ResultView view(path);
   PageSection section{view.source.file.attribute("/", "title"), path, "", {}};
   section.compared = {view.in_time ? "run in time" : view.dry ? "dry contact" : "run", compared_cells(view)};
   section.markup = contact_words(view) + warnings_of(view);
-  if (view.in_time) section.markup += numbers_in_time(view) + frames_of(view);
-  section.markup +=
-      numbers_of_run(view) + "<div class=\"figures\">\n" + figures_of(view) + "</div>\n" + details_of(view);
+  if (view.in_time) section.markup += numbers_in_time(view) + frames_of(view, figures);
+  section.markup += numbers_of_run(view) + figures_markup(figures) + details_of(view);
   return section;
 }
 

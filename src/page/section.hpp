@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/numbers/names.hpp"
+#include "page/svg.hpp"
 
 namespace ehl::program {
 
@@ -24,10 +25,10 @@ struct PageSection {
 
 /// A section about a result file, or about the table of a sweep or a study. errors: core::FileError if the file cannot
 /// be read, is damaged, or was not written by this program.
-PageSection result_section(const std::string& path);
-PageSection sweep_section(const std::string& path);
-PageSection study_section(const std::string& path);
-PageSection time_study_section(const std::string& path);
+PageSection result_section(const std::string& path, const DrawnFigures& figures);
+PageSection sweep_section(const std::string& path, const DrawnFigures& figures);
+PageSection study_section(const std::string& path, const DrawnFigures& figures);
+PageSection time_study_section(const std::string& path, const DrawnFigures& figures);
 
 /// The whole page. in: its heading; empty: the heading of the only section, or one that gives the number of files.
 std::string page_of(const std::string& heading, const std::vector<PageSection>& sections);

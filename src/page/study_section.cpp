@@ -7,7 +7,6 @@
 #include "case/numbers/number.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "page/drawing.hpp"
 #include "page/markup.hpp"
 #include "page/section.hpp"
 #include "page/table_words.hpp"
@@ -96,51 +95,6 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
          "is not known.</p>\n";
 }
 
-// Errors of a film against seconds or cells, one curve per method.
-std::string errors_figure(const SweepData& table, const std::vector<std::string>& by, const std::string& along,
-                          const std::string& x, const std::string& words_x, const std::string& name) {
-  const std::string column = "deviation_" + name;
-  std::vector<double> xs, ys;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    xs.push_back(table.number(row, x));
-    ys.push_back(table.number(row, column));
-  }
-  if (std::ranges::none_of(ys, [](double e) { return e > 0.0; })) return "";
-  const std::string symbol = numbers::symbol_of(name);
-  Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
-  std::vector<LegendEntry> legend;
-  const auto variants = ways_of(table, by, along);
-  std::vector<std::string> first;
-  for (const auto& variant : variants) {
-    std::vector<double> at, error, at_good, good;
-    for (const std::size_t row : variant) {
-      at.push_back(table.number(row, x));
-      error.push_back(table.number(row, column));
-      if (done(table, row)) {
-        at_good.push_back(at.back());
-        good.push_back(error.back());
-      }
-    }
-    // The colour shows the scheme; the dashes distinguish the methods of one scheme.
-    const std::string scheme = by.empty() ? "" : table.cell(variant[0], by.front());
-    const auto known = std::ranges::find(first, scheme);
-    const auto colour = static_cast<std::size_t>(known - first.begin());
-    const bool is_new = known == first.end();
-    if (is_new) first.push_back(scheme);
-    const Stroke stroke{curve_colour(colour), is_new ? 1.8 : 1.0, is_new ? "" : "4 3"};
-    drawing.curve(at, error, stroke);
-    drawing.points(at_good, good, stroke.colour);
-    if (is_new && !scheme.empty()) legend.push_back({scheme, stroke});
-  }
-  if (const double known_to = reference_error(table, name); known_to > 0.0) {
-    drawing.curve({*std::ranges::min_element(xs), *std::ranges::max_element(xs)}, {known_to, known_to},
-                  {"#888888", 1.0, "2 3"});
-    legend.push_back({"error of the reference", {"#888888", 1.0, "2 3"}});
-  }
-  return figure(drawing.svg("Error of " + name + " against " + words_x), legend,
-                with_indices("Error of " + symbol + " against " + words_x) + ". Points: converged.");
-}
-
 std::string heading_of(const SweepData& table) { return comment(table, "title"); }
 
 std::string count_words(const SweepData& table) {
@@ -165,26 +119,20 @@ std::string reference_words(const SweepData& table) {
 
 }  // namespace
 
-PageSection study_section(const std::string& path) {
+PageSection study_section(const std::string& path, const DrawnFigures& figures) {
   const SweepData table = read_table(path, study_mark);
   for (const char* column :
        {"cells", "wedge", "evaluator", id::cycles, "deviation_Hc", "deviation_Hm", id::seconds, id::work_units})
     if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
   const std::vector<std::string> by{"wedge", "evaluator", id::cycles};
-  std::string figures;
-  for (const char* name : {id::Hc, id::Hm}) {
-    figures += errors_figure(table, by, "cells", id::seconds, id::seconds, name);
-    figures += errors_figure(table, by, "cells", "cells", "cells along x", name);
-  }
   return {heading_of(table),
           path,
           "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + reference_words(table) +
-              "<div class=\"figures\">\n" + figures + "</div>\n" + convergence_table(table, by, "cells") +
-              comments_of(table),
+              figures_markup(figures) + convergence_table(table, by, "cells") + comments_of(table),
           {"study", {count_words(table)}}};
 }
 
-PageSection time_study_section(const std::string& path) {
+PageSection time_study_section(const std::string& path, const DrawnFigures& figures) {
   const SweepData table = read_table(path, time_study_mark);
   for (const char* column : {"rtol", id::seconds})
     if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
@@ -193,10 +141,6 @@ PageSection time_study_section(const std::string& path) {
     const auto unit = table.units.find(column);
     made.head.push_back(escaped(column) + (unit == table.units.end() ? "" : " [" + escaped(unit->second) + "]"));
   }
-  std::vector<std::string> errors;
-  const std::string deviation = "deviation_";
-  for (const std::string& column : table.columns)
-    if (column.starts_with(deviation)) errors.push_back(column.substr(deviation.size()));
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     made.rows.emplace_back();
     for (const std::string& column : table.columns) {
@@ -207,14 +151,10 @@ PageSection time_study_section(const std::string& path) {
                                  : escaped(table.cell(row, column) == "NaN" ? "–" : table.cell(row, column)));
     }
   }
-  std::string figures;
-  for (const std::string& name : errors)
-    figures += errors_figure(table, {}, "rtol", "rtol", "tolerance rtol", name) +
-               errors_figure(table, {}, "rtol", id::seconds, id::seconds, name);
   return {heading_of(table),
           path,
-          "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" +
-              figures + "</div>\n" + made.text() + comments_of(table),
+          "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + figures_markup(figures) +
+              made.text() + comments_of(table),
           {"study in time", {count_words(table)}}};
 }
 

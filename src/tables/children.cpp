@@ -1,5 +1,6 @@
 #include "tables/children.hpp"
 
+#include <fmt/core.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
@@ -16,6 +17,9 @@
 #include <new>
 #include <utility>
 
+#include "base/progress.hpp"
+#include "base/signals.hpp"
+#include "base/text_format.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 
@@ -181,6 +185,31 @@ bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const C
     }
   }
   return true;
+}
+
+bool run_watched(const WatchedTasks& all) {
+  const double began = core::now();
+  const std::size_t count = all.tasks.size();
+  std::size_t done = 0;
+  Progress progress(all.quiet);
+  ChildrenCalls calls;
+  calls.stop = stop_requested;
+  calls.task = all.task;
+  calls.waits = [&](const ChildAtWork& child) {
+    const double seconds_each = done == 0 ? 0.0 : (core::now() - began) / static_cast<double>(done);
+    const std::string left =
+        done == 0 ? "" : ", " + about_seconds(seconds_each * static_cast<double>(count - done)) + " left";
+    progress.show(static_cast<double>(done) / static_cast<double>(count),
+                  fmt::format("{}/{}{}  {}, {:.0f} s so far{}", done, count, left, all.name(child.task), child.seconds,
+                              child.says.empty() ? "" : ": " + child.says));
+  };
+  calls.ended = [&](const ChildEnd& end) {
+    const std::string status = all.ended(end);
+    progress.count(++done, count, all.name(end.task) + "  " + status);
+  };
+  const bool finished = run_in_children(all.tasks, all.at_once, calls);
+  progress.clear();
+  return finished;
 }
 
 }  // namespace ehl::program

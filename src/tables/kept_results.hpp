@@ -1,7 +1,7 @@
 #pragma once
-// The results of a sweep with --keep: one HDF5 file next to the table. During the sweep the results are appended
-// to a journal, in which the complete results survive a kill at any moment. When all cases have ended, the
-// journal becomes the file.
+// The results of a sweep with --keep: one HDF5 file next to the table. During the sweep each result is a file of its
+// own in a folder, which `ehl` reads as any result; the complete files survive a kill at any moment. When all cases
+// have ended, they become the one file.
 #include <cstddef>
 #include <map>
 #include <string>
@@ -13,17 +13,17 @@ namespace ehl::program {
 
 /// The name of the results file: "t.h5" for the table "t.csv".
 std::string name_of_kept(const std::string& table);
-/// The name of its journal, "t.h5.part".
-std::string journal_of_kept(const std::string& table);
+/// The name of the folder, "t.h5.parts".
+std::string folder_of_kept(const std::string& table);
 
 /// The result file of a case, in memory: what `ehl run` writes for a steady contact.
 std::string image_of(const results::Content& content);
 
 class KeptResults {
  public:
-  /// Reads the existing results: the file of an earlier sweep, and the journal of a sweep that was interrupted.
+  /// Reads the existing results: the file of an earlier sweep, and the folder of a sweep that was interrupted.
   /// in: path of the table, whose files were checked (results/outputs.hpp); overwrite: discard what exists.
-  /// errors: core::FileError for a file of another kind.
+  /// errors: core::FileError for a file of another kind, or if the folder cannot be made.
   KeptResults(const std::string& table, bool overwrite);
   ~KeptResults();
   KeptResults(const KeptResults&) = delete;
@@ -31,25 +31,19 @@ class KeptResults {
 
   /// in: name of a case: its varied keys, "contact.M=20 contact.L=5".
   bool has(const std::string& name) const;
-  /// Appends the result of a case; it is on disk when the function returns. errors: core::FileError.
-  void append(const std::string& name, const std::string& image);
-  /// Writes the file of all kept results and removes the journal. in: numbers and names of the
+  /// Writes the result of a case; it is on disk when the function returns. errors: core::FileError.
+  void add(const std::string& name, const std::string& image) const;
+  /// Writes the file of all kept results and removes the folder. in: numbers and names of the
   /// cases. errors: core::FileError.
   void finish(const std::vector<std::pair<std::size_t, std::string>>& cases);
 
   const std::string& path() const { return path_; }
 
  private:
-  struct Record {
-    long long at = 0;
-    std::size_t bytes = 0;
-  };
-  void read_journal();
+  std::string part(const std::string& name) const;  ///< the file of a case in the folder
 
-  std::string path_, journal_;
+  std::string path_, folder_;
   std::map<std::string, std::size_t> in_file_{};  ///< number of the case in the file of an earlier sweep
-  std::map<std::string, Record> in_journal_{};
-  int descriptor_ = -1;
 };
 
 /// Merges the result files of shards. in: the tables of the shards; the table of the whole sweep; its cases. out: path

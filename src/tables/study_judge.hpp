@@ -1,11 +1,12 @@
 #pragma once
-// Judges the points of a study: errors against the extrapolated film, and the Pareto front.
+// Judges the rows of a study: deviations from a reference, and the Pareto front.
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tables/study_point.hpp"
+#include "transient/march.hpp"
 
 namespace ehl::program {
 
@@ -40,17 +41,34 @@ struct Reference {
 /// out together with all coarser ones. limits: NaN for fewer than two grids.
 Reference reference_of(std::span<const StudyPoint> solutions);
 
-/// True if a point has a film that can be judged: it converged, or it stopped after its fixed number of cycles.
+/// True if a point has a film that can be judged: it is complete, or it stopped after its fixed number of cycles.
 bool has_film(const StudyPoint& point);
 
-/// Fills in the errors, and marks the Pareto fronts of error and seconds for Hc and Hm. A point is on the front if no
-/// other point is at least as accurate and cheaper, or more accurate and at most as expensive. An error below that of
-/// the reference counts as equal to it, so that no point wins by chance.
+/// The reference run of the errors of runs in time.
+struct TimeReference {
+  StudyPoint run{};
+  StudyPoint coarser{};          ///< a run with a larger tolerance and larger steps; it shows the
+                                 ///< accuracy of the reference
+  std::vector<double> errors{};  ///< the difference between the two runs, for each quantity
+  std::vector<transient::Place> probes{};
+};
+
+/// The largest difference of two runs over their common times, for each quantity. Hc, Hm and P_max are relative to
+/// the reference at the same time. The pressure at a probe, which may be zero, is relative to the largest value of
+/// the reference at that probe.
+/// limits: NaN if a run is not complete or there is no common time; NaN for a probe if the reference is zero at all
+/// times and the other run is not.
+std::vector<double> errors_in_time(const StudyPoint& reference, const StudyPoint& point);
+
+/// Fills in the deviations, and marks the Pareto fronts of deviation and seconds for each quantity. A point is on the
+/// front if no other point is at least as accurate and cheaper, or more accurate and at most as expensive. An error
+/// below that of the reference counts as equal to it, so that no point wins by chance.
 void judge(const Reference& reference, std::vector<StudyPoint>& points);
+void judge(const TimeReference& reference, std::vector<StudyPoint>& points);
 
 /// The cheapest point with an error of Hc (or Hm) of at most `wanted`. The errors of the same method must stay below
 /// `wanted` on all finer grids of the study: a value that passes through the correct one by chance does not count.
-/// in: error: &StudyPoint::deviation_Hc or deviation_Hm. out: index; points.size() if there is none.
-std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*error, double wanted);
+/// in: quantity: 0 for Hc, 1 for Hm. out: index; points.size() if there is none.
+std::size_t cheapest(const std::vector<StudyPoint>& points, std::size_t quantity, double wanted);
 
 }  // namespace ehl::program

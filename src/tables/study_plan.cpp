@@ -1,5 +1,7 @@
 #include "tables/study_plan.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -74,7 +76,7 @@ std::vector<StudyCase> cases_of(const StudyPlan& plan, const std::function<doubl
       for (const std::string& evaluator : plan.evaluators)
         for (const std::string& cycles : plan.cycles)
           if (evaluator != "direct" || nodes(cells) <= most_nodes_of_direct)
-            cases.push_back({cells, wedge, evaluator, cycles});
+            cases.push_back({.cells = cells, .wedge = wedge, .evaluator = evaluator, .cycles = cycles});
   return cases;
 }
 
@@ -108,6 +110,7 @@ void use_way(const StudyCase& variant, steady::Scene& scene) {
 }
 
 std::string name_of_variant(const StudyCase& variant) {
+  if (variant.in_time()) return fmt::format("rtol {:g}, steps of at most {:.3g}", variant.rtol, variant.longest_step);
   return variant.wedge + ", " + variant.evaluator + ", " + variant.cycles;
 }
 

@@ -10,12 +10,16 @@ namespace ehl::program {
 
 /// One method of solving the case. wedge: upstream1, upstream2, upstream3 (the last with the face value
 /// logmean_bounded). evaluator: mlmi4, mlmi6, mlmi8 (transfer order), fft, direct. cycles: "2W": exactly two W cycles
-/// on every level; "run": as in `ehl run`, until all checks pass.
+/// on every level; "run": as in `ehl run`, until all checks pass. A run in time has another parameter, the control of
+/// its integration.
 struct StudyCase {
   int cells = 0;  ///< cells of the finest grid along x
   std::string wedge{};
   std::string evaluator{};
   std::string cycles{};
+  double rtol = 0.0;          ///< zero: a steady solution
+  double longest_step = 0.0;  ///< [a/u_m]
+  bool in_time() const { return rtol > 0.0; }
   bool operator==(const StudyCase&) const = default;
 };
 
@@ -61,16 +65,7 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
 /// solution ends unconverged if the checks need more. All other settings are those of the deck.
 void use_way(const StudyCase& variant, steady::Scene& scene);
 
-/// The list of tasks, repeated `times` times as a whole. The repetitions of one task are then far apart in time, and a
-/// disturbance of the machine does not affect all of them.
-template <class Variant>
-std::vector<Variant> repeated(const std::vector<Variant>& variants, int times) {
-  std::vector<Variant> all;
-  for (; times > 0; --times) all.insert(all.end(), variants.begin(), variants.end());
-  return all;
-}
-
-/// The name of a method, "upstream2, mlmi8, 2W".
+/// The name of a method, "upstream2, mlmi8, 2W"; of a run in time, "rtol 0.001, steps of at most 0.05".
 std::string name_of_variant(const StudyCase& variant);
 
 }  // namespace ehl::program

@@ -18,9 +18,9 @@ std::string nodes_of(const StudyPoint& point) { return fmt::format("{} x {}", po
 
 std::string cells_of(const Reference& reference) { return fmt::format("{}", fmt::join(reference.cells, ", ")); }
 
-// An error; "< ..." if it is below the error of the reference.
-std::string error_text(double error, bool at_reference, const Extrapolated& reference) {
-  return at_reference ? "< " + percent(reference.error) : percent(error);
+// A deviation; "< ..." if it is below the error of the reference.
+std::string deviation_text(const Judged& judged, const Extrapolated& reference) {
+  return judged.at_reference ? "< " + percent(reference.error) : percent(judged.deviation);
 }
 
 // The films in nm, followed by the space between columns; empty without scales.
@@ -32,13 +32,13 @@ std::string in_nm(const StudyPoint& point, const std::optional<SiScales>& si) {
 
 std::string point_line(const StudyPoint& point, const Reference& reference, const std::optional<SiScales>& si) {
   const std::string status = point.status == "converged" ? "" : point.status;
-  const std::string fronts = fmt::format("{} {}", point.front_Hc ? id::Hc : "", point.front_Hm ? id::Hm : "");
+  const Judged Hc = point.of(of_Hc), Hm = point.of(of_Hm);
+  const std::string fronts = fmt::format("{} {}", Hc.front ? id::Hc : "", Hm.front ? id::Hm : "");
   std::string line = fmt::format(
       "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>12}  {:>12}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
       point.variant.wedge, point.variant.evaluator, point.variant.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
-      known("{:.5f}", point.Hm), error_text(point.deviation_Hc, point.at_reference_Hc, reference.Hc),
-      error_text(point.deviation_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
-      known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
+      known("{:.5f}", point.Hm), deviation_text(Hc, reference.Hc), deviation_text(Hm, reference.Hm),
+      known("{:.1f}", point.work_units), known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
@@ -50,10 +50,11 @@ std::string columns_of_points(const std::optional<SiScales>& si) {
       in_nm, id::Hc, id::Hm, id::work_units, id::seconds);
 }
 
-std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, bool StudyPoint::*on_front,
+std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, std::size_t quantity,
                         const std::string& name, const std::optional<SiScales>& si) {
   std::vector<StudyPoint> front;
-  std::ranges::copy_if(points, std::back_inserter(front), on_front);
+  std::ranges::copy_if(points, std::back_inserter(front),
+                       [&](const StudyPoint& point) { return point.of(quantity).front; });
   std::ranges::sort(front, {}, &StudyPoint::seconds);
   std::string text = "\nPareto front of " + name + ": no cheaper variant is as accurate\n" + columns_of_points(si);
   for (const StudyPoint& point : front) text += point_line(point, reference, si);
@@ -62,10 +63,9 @@ std::string front_lines(const std::vector<StudyPoint>& points, const Reference& 
 
 std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   std::string text = "\nseconds to an accuracy that holds on all finer grids too\n";
-  for (const auto& [name, error_of] :
-       {std::pair(id::Hc, &StudyPoint::deviation_Hc), std::pair(id::Hm, &StudyPoint::deviation_Hm)})
+  for (const auto& [name, quantity] : {std::pair(id::Hc, of_Hc), std::pair(id::Hm, of_Hm)})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
-      const std::size_t found = cheapest(points, error_of, error);
+      const std::size_t found = cheapest(points, quantity, error);
       text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
       text += found == points.size() ? "  not reached\n"
                                      : fmt::format("  {:.3f} s: {}, ", points[found].seconds, nodes_of(points[found])) +
@@ -115,8 +115,8 @@ std::string film_cells(const StudyPoint& point) {
 
 // Arranged as Table 1 of the paper, for the largest number of cycles and the default evaluator.
 std::string film_by_level(const std::vector<StudyPoint>& points) {
-  const StudyCase variant{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
-                          one_of(distinct(points, &StudyCase::cycles), "2W")};
+  const StudyCase variant{.evaluator = one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
+                          .cycles = one_of(distinct(points, &StudyCase::cycles), "2W")};
   std::string text = "\nTable 1: the film by level, " + variant.evaluator + ", " + variant.cycles +
                      " (* not converged after these cycles)\n      nodes";
   for (const std::string& wedge : distinct(points, &StudyCase::wedge))
@@ -126,8 +126,8 @@ std::string film_by_level(const std::vector<StudyPoint>& points) {
 
 // Arranged as Table 2 of the paper, for the first wedge and the default evaluator.
 std::string seconds_by_level(const std::vector<StudyPoint>& points) {
-  const StudyCase variant{0, points.front().variant.wedge, one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
-                          ""};
+  const StudyCase variant{.wedge = points.front().variant.wedge,
+                          .evaluator = one_of(distinct(points, &StudyCase::evaluator), "mlmi8")};
   std::string text =
       "\nTable 2: seconds by level and cycles per level, " + variant.wedge + ", " + variant.evaluator + "\n      nodes";
   for (const std::string& cycles : distinct(points, &StudyCase::cycles)) text += fmt::format("  {:>8}", cycles);
@@ -191,8 +191,8 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
   text += "times        " + times_of(header) + "\n\n" + columns_of_points(header.si);
   for (const StudyPoint& point : points) text += point_line(point, reference, header.si);
   text += "(< below the error of the reference; stopped: not converged after its cycles)\n";
-  text += front_lines(points, reference, &StudyPoint::front_Hc, id::Hc, header.si);
-  text += front_lines(points, reference, &StudyPoint::front_Hm, id::Hm, header.si);
+  text += front_lines(points, reference, of_Hc, id::Hc, header.si);
+  text += front_lines(points, reference, of_Hm, id::Hm, header.si);
   return text + accuracy_lines(points) + film_by_level(points) + seconds_by_level(points);
 }
 

@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/text_format.hpp"
 #include "case/transient_input.hpp"
 #include "tables/csv.hpp"
@@ -12,11 +9,9 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t relative_at_every_time = 3;  // the first three quantities: Hc, Hm, P_max
-
-// An error, "1.4e-03"; "< ..." if it is below the error of the reference.
-std::string error_text(double error, double known_to) {
-  return error < known_to ? "< " + known("{:.1e}", known_to) : known("{:.1e}", error);
+// A deviation, "1.4e-03"; "< ..." if it is below the error of the reference.
+std::string deviation_text(const Judged& judged, double known_to) {
+  return judged.at_reference ? "< " + known("{:.1e}", known_to) : known("{:.1e}", judged.deviation);
 }
 
 std::string known_text(const TimeReference& reference) {
@@ -34,13 +29,13 @@ std::string columns_of_tolerances(std::size_t probes) {
 }
 
 // One line of the report; a run that is not complete gets a mark instead of errors.
-std::string point_line(const TimeStudyPoint& point, const TimeReference& reference) {
+std::string point_line(const StudyPoint& point, const TimeReference& reference) {
   std::string text = fmt::format("{:8g}  {:6}  {:>11}  {:8}  {:10}  {:>8}", point.variant.rtol, point.steps,
                                  known("{:.2f}", cycles_per_step(point)), point.rejected, point.not_solved,
                                  known("{:.2f}", point.seconds));
   if (!is_complete(point)) return text + "  NOT COMPLETE: " + point.reason + "\n";
-  for (std::size_t k = 0; k < point.errors.size(); ++k)
-    text += fmt::format("  {:>15}", error_text(point.errors[k], reference.errors[k]));
+  for (std::size_t k = 0; k < point.judged.size(); ++k)
+    text += fmt::format("  {:>15}", deviation_text(point.judged[k], reference.errors[k]));
   return text + "\n";
 }
 
@@ -55,27 +50,8 @@ std::string times_text(const StudyHeader& header) {
 
 }  // namespace
 
-std::vector<double> errors_in_time(const TimeStudyPoint& reference, const TimeStudyPoint& point) {
-  const std::size_t times = std::min(reference.samples.size(), point.samples.size());
-  const std::size_t quantities = reference.samples.empty() ? 0 : reference.samples[0].values.size();
-  std::vector<double> errors(quantities, TimeStudyPoint::unknown);
-  if (!is_complete(reference) || !is_complete(point) || times == 0) return errors;
-  for (std::size_t k = 0; k < quantities; ++k) {
-    double largest = 0.0, scale = 0.0;
-    for (std::size_t n = 0; n < times; ++n) {
-      const double truth = reference.samples[n].values[k];
-      const double difference = std::abs(point.samples[n].values[k] - truth);
-      largest = std::max(largest, k < relative_at_every_time ? difference / std::abs(truth) : difference);
-      scale = std::max(scale, std::abs(truth));
-    }
-    if (k < relative_at_every_time) scale = 1.0;
-    errors[k] = largest == 0.0 ? 0.0 : scale > 0.0 ? largest / scale : TimeStudyPoint::unknown;
-  }
-  return errors;
-}
-
 std::string time_study_csv(const StudyHeader& header, const TimeReference& reference,
-                           const std::vector<TimeStudyPoint>& points) {
+                           const std::vector<StudyPoint>& points) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
   std::string text = time_study_mark + origin_lines(header, times_text(header));
   text += "# reference: " + name_of_variant(reference.run.variant) + "; its error is its difference from " +
@@ -94,8 +70,8 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
 }
 
 std::string time_study_report(const StudyHeader& header, const TimeReference& reference,
-                              const std::vector<TimeStudyPoint>& points) {
-  const TimeStudyPoint& run = reference.run;
+                              const std::vector<StudyPoint>& points) {
+  const StudyPoint& run = reference.run;
   std::string text = "case         " + header.title + "\n";
   text += "reference    " + name_of_variant(run.variant) + fmt::format(": {} steps to time ", run.steps) +
           time_text(run.T, header.si) + "\n";
@@ -108,7 +84,7 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
     text += fmt::format("P_{}          ", k + 1) + name_of_probe("P", reference.probes[k]) +
             ", relative to the largest there\n";
   text += "times        " + times_text(header) + "\n\n" + columns_of_tolerances(reference.probes.size());
-  for (const TimeStudyPoint& point : points) text += point_line(point, reference);
+  for (const StudyPoint& point : points) text += point_line(point, reference);
   return text + "(< below the error of the reference)\n";
 }
 

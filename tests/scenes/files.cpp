@@ -45,12 +45,12 @@ BOOST_AUTO_TEST_CASE(a_sweep_keeps_its_inputs) {
                      small + "[surface1]\nshape = map\nfile = map.h5\ndataset = /fields/H\nunit = 1e-3\ndx = 0.2\n");
   const std::string sweep = "sweep rough.ini --vary contact.M=20,30 --quiet --overwrite ";
   scene.keeps("map.h5", sweep + "--keep --output map.csv");
-  // A file that is neither a table nor a journal of this program is not replaced.
+  // A file that is no table of this program, or stands where its folder would, is not replaced.
   scene.folder.write("notes.csv", "precious, 1\n");
   scene.keeps("notes.csv", "sweep d.ini --vary contact.M=20,30 --quiet --overwrite --output notes.csv");
   scene.keeps("notes.csv", "study d.ini --quiet --overwrite --output notes.csv");
-  scene.folder.write("t.h5.part", "precious");
-  scene.keeps("t.h5.part", "sweep d.ini --vary contact.M=20,30 --quiet --keep --output t.csv");
+  scene.folder.write("t.h5.parts", "precious");
+  scene.keeps("t.h5.parts", "sweep d.ini --vary contact.M=20,30 --quiet --keep --output t.csv");
   // The result of a single run is not a file of kept results.
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);
   scene.keeps("r.h5", "sweep d.ini --vary contact.M=20,30 --quiet --keep --overwrite --output r.csv");

@@ -58,16 +58,30 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_goes_on) {
     const std::string H = " H --along x --case " + std::to_string(k);
     BOOST_TEST(extracted(folder, "whole.h5" + H) == extracted(folder, "cut.h5" + H), "case " << k);
   }
-  BOOST_TEST(support::shell(folder, "ls *.part .*.part 2>/dev/null").out == "");
+  BOOST_TEST(support::shell(folder, "ls -d *.part .*.part *.parts 2>/dev/null").out == "");
 }
 
-BOOST_AUTO_TEST_CASE(what_stands_half_in_the_journal_is_computed_again) {
+// The results of a sweep that was interrupted are files that every command reads.
+BOOST_AUTO_TEST_CASE(what_an_interrupted_sweep_kept_are_results) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck);
-  support::shell(folder, std::string("timeout -s KILL 0.3 '") + EHL_PROGRAM + "' " + vary + "t.csv");
-  support::shell(folder, "printf 'ehlkept1 and half a record' >> t.h5.part");
-  BOOST_REQUIRE(support::ehl(folder, vary + "t.csv").status == 0);
-  BOOST_TEST(!extracted(folder, "t.h5 Hc --case 11").empty());
+  // The last case takes long enough for the sweep to be killed while it works.
+  const std::string cases = "sweep d.ini --vary contact.M=20,26 --vary grid.cells=64,1024 --quiet --keep --threads 1 ";
+  const std::string program = EHL_PROGRAM;
+  support::shell(folder,
+                 "'" + program + "' " + cases +
+                     "--output t.csv & while [ ! -e t.h5.parts ] || [ -z \"$(ls t.h5.parts)\" ]; do sleep 0.02; "
+                     "done; kill -KILL $!; wait $!");
+  const std::string kept = support::shell(folder, "ls t.h5.parts/*.h5 | head -n 1").out;
+  BOOST_REQUIRE(!kept.empty());
+  BOOST_REQUIRE(support::ehl(folder, "run d.ini --threads 1 --quiet --output one.h5").status == 0);
+  BOOST_TEST(extracted(folder, kept.substr(0, kept.size() - 1) + " H") == extracted(folder, "one.h5 H"));
+  // What a kill left half written is removed, and the sweep goes on.
+  support::shell(folder, "printf half > t.h5.parts/.0123456789abcdef.h5.1.part");
+  const std::string less = "sweep d.ini --vary contact.M=20,26 --vary grid.cells=64,128 --quiet --keep --output t.csv";
+  BOOST_REQUIRE(support::ehl(folder, less + " --overwrite").status == 0);
+  BOOST_TEST(extracted(folder, "t.h5 H --case 0") == extracted(folder, "one.h5 H"));
+  BOOST_TEST(support::shell(folder, "ls -d t.h5.parts 2>/dev/null").out == "");
 }
 
 BOOST_AUTO_TEST_CASE(shards_are_merged_with_their_tables) {

@@ -232,6 +232,9 @@ BOOST_AUTO_TEST_CASE(pictures_have_the_size_and_the_name_asked_for) {
   BOOST_TEST(std::abs(width_of_png(scene.folder.read("own.png")) - 90.0 / 25.4 * 300.0) <= 1.0);
   BOOST_TEST(scene.drawn("s.h5 --figure film_contours --figure centre_lines --output f") ==
              "f_film_contours.png\nf_centre_lines.png\n");
+  // A digit that follows an escaped character.
+  BOOST_REQUIRE(support::shell(scene.folder, "cp s.h5 'a=0 (1).h5'").status == 0);
+  BOOST_TEST(scene.drawn("'a=0 (1).h5' --figure centre_lines --format svg") == "a=0 (1)_centre_lines.svg\n");
   for (const std::string line : {"--width 85cm", "--width 5mm", "--width 800px --format pdf", "--format gif",
                                  "--figure film_contours --output a.eps", "--figure film_contours --output none/",
                                  "--figure film_contours --output none/a.png",

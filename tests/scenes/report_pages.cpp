@@ -144,6 +144,28 @@ BOOST_AUTO_TEST_CASE(a_study_has_the_observed_orders) {
   BOOST_TEST(std::abs(order - std::log2(coarse / fine)) <= 0.051);
 }
 
+// Without gnuplot, or if it fails, the page has its numbers and says once what is missing.
+BOOST_AUTO_TEST_CASE(a_page_without_gnuplot_has_its_numbers) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("run s.ini").status == 0);
+  const Said whole = said_of(scene.page("s.h5"), "central film h<sub>c</sub>");
+  BOOST_REQUIRE(support::shell(scene.folder, "mkdir bin").status == 0);
+  scene.folder.write("bin/gnuplot", "#!/bin/sh\nexit 1\n");
+  BOOST_REQUIRE(support::shell(scene.folder, "chmod +x bin/gnuplot").status == 0);
+  for (const char* path : {"none", "bin"}) {
+    const support::Ended ended = support::shell(
+        scene.folder, std::string("PATH=\"$PWD/") + path + "\" '" + EHL_PROGRAM + "' report s.h5 --overwrite");
+    BOOST_TEST(ended.status == 0, ended.err);
+    BOOST_TEST(ended.says({"s.h5", "gnuplot"}), ended.err);
+    const std::string page = scene.folder.read("s_report.html");
+    BOOST_TEST(said_of(page, "central film h<sub>c</sub>").value == whole.value);
+    BOOST_TEST(!contains(page, "<svg"));
+    const std::size_t first = page.find("<p class=\"warning\">");
+    BOOST_TEST(first != std::string::npos);
+    BOOST_TEST(page.find("<p class=\"warning\">", first + 1) == std::string::npos);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_files_are_refused_and_leave_nothing) {
   const Scene scene;
   BOOST_REQUIRE(scene.ehl("run s.ini").status == 0);

@@ -57,7 +57,6 @@ std::vector<Door> doors() {
        {"newton", "transient"},
        {"modules/newton/gmres.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
-      {"zlib", {"zlib"}, {"src"}, {"src/page/png.cpp"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},
        {"mlmi", "newton", "multigrid"},

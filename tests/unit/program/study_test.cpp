@@ -4,6 +4,7 @@
 
 #include "core/errors.hpp"
 #include "support/text.hpp"
+#include "tables/csv.hpp"
 #include "tables/study_report.hpp"
 
 using namespace ehl;
@@ -16,7 +17,7 @@ using support::refusal;
 
 program::StudyPoint point(int cells, double seconds, double Hc, const std::string& status = "converged") {
   program::StudyPoint made;
-  made.variant = {cells, "upstream2", "mlmi8", "2W"};
+  made.variant = {.cells = cells, .wedge = "upstream2", .evaluator = "mlmi8", .cycles = "2W"};
   made.nx = made.ny = cells;
   made.status = status;
   made.seconds = seconds;
@@ -117,10 +118,11 @@ BOOST_AUTO_TEST_CASE(pareto_front) {
   for (const Expected& one : all) points.push_back(point(64, one.seconds, 1.0 + one.error, one.status));
   program::judge(reference, points);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    BOOST_TEST(points[k].front_Hc == all[k].front, "point " << k << ", " << all[k].seconds << " s");
-    BOOST_TEST(points[k].front_Hm == points[k].front_Hc);
-    BOOST_TEST(std::abs(points[k].deviation_Hc - all[k].error) < 1e-15);
-    BOOST_TEST(points[k].at_reference_Hc == (all[k].error < 1e-3));
+    const program::Judged Hc = points[k].of(program::of_Hc);
+    BOOST_TEST(Hc.front == all[k].front, "point " << k << ", " << all[k].seconds << " s");
+    BOOST_TEST(points[k].of(program::of_Hm).front == Hc.front);
+    BOOST_TEST(std::abs(Hc.deviation - all[k].error) < 1e-15);
+    BOOST_TEST(Hc.at_reference == (all[k].error < 1e-3));
   }
 }
 
@@ -132,9 +134,9 @@ BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
                                           point(64, 1.5, 1.05), point(128, 3.0, 1.009)};
   points[3].variant.cycles = points[4].variant.cycles = "1V";
   program::judge(reference, points);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.01) == 4u);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.006) == 2u);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.001) == points.size());
+  BOOST_TEST(program::cheapest(points, program::of_Hc, 0.01) == 4u);
+  BOOST_TEST(program::cheapest(points, program::of_Hc, 0.006) == 2u);
+  BOOST_TEST(program::cheapest(points, program::of_Hc, 0.001) == points.size());
 }
 
 BOOST_AUTO_TEST_CASE(a_row_reads_back) {
@@ -142,19 +144,44 @@ BOOST_AUTO_TEST_CASE(a_row_reads_back) {
   made.Hm = 0.25;
   made.cycles_by_level = "6;2";
   made.attempts = 2;
-  made.front_Hm = true;
   made.reason = "the residual, 1e-3, is above";
   const program::StudyPoint read = from_text(program::text_of(made));
   BOOST_TEST((read.variant.cells == 128 && read.variant.wedge == "upstream2" && read.variant.evaluator == "mlmi8"));
   BOOST_TEST((read.variant.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
   BOOST_TEST((read.Hc == 1.0 / 3.0 && read.Hm == 0.25 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) &&
               read.attempts == 2));
-  BOOST_TEST((read.front_Hm && !read.front_Hc && read.reason == made.reason && read.nx == 128));
+  BOOST_TEST((read.judged.empty() && read.reason == made.reason && read.nx == 128));
   BOOST_TEST(program::text_of(read) == program::text_of(made));
   BOOST_TEST(refusal([] { from_text("64,upstream2"); }) != "(none)");
   std::string damaged = program::text_of(made);
   damaged.replace(0, 3, "x28");
   BOOST_TEST(refusal([&] { from_text(damaged); }) != "(none)");
+}
+
+// The judge marks every quantity of the table; a table without judgement has no numbers there.
+BOOST_AUTO_TEST_CASE(the_judge_fills_columns) {
+  program::Reference reference;
+  reference.Hc = reference.Hm = {1.0, 1e-3};
+  std::vector<program::StudyPoint> points{point(64, 1.0, 1.25)};
+  const std::string before = program::csv_text(program::study_columns(), points[0]);
+  program::judge(reference, points);
+  const std::string after = program::csv_text(program::study_columns(), points[0]);
+  BOOST_TEST(contains(before, ",NaN,NaN,NaN,NaN,"), before);
+  BOOST_TEST(contains(before, ",0,0,0,0,"), before);
+  BOOST_TEST(contains(after, ",0.25,0.25,NaN,NaN,"), after);
+  BOOST_TEST(contains(after, ",0,0,1,1,"), after);
+}
+
+// Three runs of one method: the least and the greatest time; a run that failed counts only if all failed.
+BOOST_AUTO_TEST_CASE(repetitions) {
+  program::StudyPoint kept = point(64, 3.0, 1.0, "failed");
+  for (const double seconds : {2.0, 1.0, 4.0}) {
+    program::StudyPoint again = point(64, seconds, 1.0);
+    again.seconds_most = seconds;
+    program::add_repetition(again, kept);
+    program::add_repetition(point(64, 0.1, 1.0, "failed"), kept);
+  }
+  BOOST_TEST((kept.status == "converged" && kept.seconds == 1.0 && kept.seconds_most == 4.0));
 }
 
 BOOST_AUTO_TEST_CASE(levels) {
@@ -178,12 +205,12 @@ BOOST_AUTO_TEST_CASE(variants) {
   BOOST_TEST(cases.size() == 8u + 4u);  // no direct sum on 257 x 257 nodes
   steady::Scene scene;
   scene.solver.max_cycles = 60;
-  program::use_way({64, "upstream1", "mlmi6", "3V"}, scene);
+  program::use_way({.cells = 64, .wedge = "upstream1", .evaluator = "mlmi6", .cycles = "3V"}, scene);
   BOOST_TEST((scene.wedge == reynolds::Wedge::upstream1 && scene.deformation.order == 6));
   BOOST_TEST((scene.solver.cycle == multigrid::Cycle::V && scene.solver.cycles == 3 && scene.solver.max_cycles == 3 &&
               scene.solver.extra_cycles == 0));
   steady::Scene as_it_is;
-  program::use_way({64, "upstream2", "fft", "run"}, as_it_is);
+  program::use_way({.cells = 64, .wedge = "upstream2", .evaluator = "fft", .cycles = "run"}, as_it_is);
   BOOST_TEST((as_it_is.solver.max_cycles == 60 && as_it_is.deformation.method == mlmi::Method::fft));
 }
 

@@ -1,0 +1,87 @@
+# figure: the contact at one time: film and pressure, their lines y = 0, and the course of both
+# needs: /transient/frames/P /transient/frames/H
+# on the page
+# shown_frames="0 5 10": the numbers of several frames; an SVG then holds as many pictures, one after another, with the
+# same axes.
+figure = "contact_in_time"
+wide = 190.0
+here = system(sprintf("dirname '%s'", ARG0))
+when = ""
+load here."/result.gp"
+load here."/in_time.gp"
+if (!exists("shown_frames")) shown_frames = sprintf("%d", frame)
+unset datafile columnheaders
+plane = int(system(read."/grid/y | sed '/^#/d' | wc -l")) > 1 && found("/roller/y") eq ""
+if (plane) { load here."/window.gp" } else { left = -1.8 * reach_x; right = 1.4 * reach_x }
+
+# All frames share their axes: the film by film_scale.gp, the pressure by the highest of the course.
+map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
+load here."/film_scale.gp"
+set table $course
+plot grid("transient") using 1:2:3:6 with table
+unset table
+stats $course using 4 nooutput prefix "P"
+tallest = P_max > 0 ? 1.05 * P_max : 1
+stats $course using 2 nooutput prefix "C"
+stats $course using 3 nooutput prefix "M"
+begin = T(T_min)
+end = T_max > T_min ? T(T_max) : begin + 1
+first_lines(name) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, 0), points, left, right)
+
+high = plane ? m(112 + top) : m(70 + top)
+course = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(9), high - m(29)); unset title; unset colorbox"
+lines = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(40), high - m(69))"
+maps = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(78), m(top + 2))"
+eval page
+do for [shown in shown_frames] {
+  frame = int(shown)
+  now = time_of(frame)
+  set multiplot
+  do for [panel = 1:2] {
+    name = panel == 1 ? "H" : "P"
+    unset key
+    set format "%g"
+    unset logscale
+    unset arrow
+    set xrange [left:right]
+    set xtics steps_of(right - left)
+    if (plane) {
+      @maps
+      set yrange [bottom:bottom + 2 * far]
+      set ytics steps_of(2 * far)
+      unset xlabel
+      set ylabel axis_Y offset 1, 0
+      set cblabel panel == 1 ? axis_H : axis_P offset 1.6, 0
+      eval "set palette ".(panel == 1 ? film_colours : pressure_colours)
+      set cbrange [panel == 1 ? low : 0:panel == 1 ? highest : tallest]
+      if (panel == 1 && far_apart) { set logscale cb; set format cb "10^{%L}" } else { unset logscale cb; set format cb "%g" }
+      set colorbox user origin screen (panel == 1 ? wide - m(111) : wide - m(14)) / wide, m(78) / high size screen m(2.5) / wide, 1 - m(80 + top) / high
+      plot field(name, points / 2) matrix nonuniform using 1:2:3 with image
+      unset colorbox
+    }
+    @lines
+    set xlabel axis_along offset 0, 0.4
+    set ylabel panel == 1 ? axis_H : axis_P offset -0.4, 0
+    set ytics auto
+    set yrange [panel == 1 ? below_zero(low) : 0:panel == 1 ? 1.2 * highest : tallest]
+    if (panel == 1 && far_apart) { set logscale y; set format y "10^{%L}"; set yrange [low / 1.5:1.5 * highest] }
+    plot first_lines(name) using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
+         sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, frame), points, left, right) \
+             using 1:2 with lines lw 1 lc rgb panel == 1 ? blue : red
+    @course
+    set xlabel axis_T offset 0, 0.4
+    set xrange [begin:end]
+    set xtics auto
+    set arrow 1 from first now, graph 0 to first now, graph 1 nohead front lw 0.8 dt 2 lc rgb "#444444"
+    set yrange [panel == 1 ? below_zero(M_min) : 0:panel == 1 ? (C_max > M_max ? 1.05 * C_max : 1.05 * M_max) : tallest]
+    if (panel == 1 && M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set yrange [0.8 * M_min:1.2 * C_max] }
+    if (panel == 1) {
+      set key bottom right
+      plot $course using (T($1)):2 with lines lw 1 lc rgb blue title "centre", \
+           $course using (T($1)):3 with lines lw 1 lc rgb red title "minimum"
+    } else {
+      plot $course using (T($1)):4 with lines lw 1 lc rgb red
+    }
+  }
+  unset multiplot
+}
