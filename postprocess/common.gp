@@ -41,7 +41,7 @@ terminal(none) = format eq "png" ? sprintf("pngcairo fontscale %g linewidth %g p
 headed = 'set label 99 mark at screen 0.5, 1 - m(3.4) / high center textcolor rgb red noenhanced; \
 set label 100 heading at screen 0.5, 1 - m(mark eq "" ? 3.4 : 7.0) / high center noenhanced'
 page = 'eval "set terminal ".terminal(0)." enhanced font \"DejaVu Sans,8\" background \"white\""; set output output; eval headed'
-key_above = 'set key at graph 0.5, graph 1.01 center bottom horizontal samplen 2'
+key_above = 'set key at graph 0.5, graph 1.01 center bottom horizontal samplen 2 width 2'
 # The colour bar next to the last panel, which ends 20 mm from the right edge.
 bar(bottom, top) = sprintf("set colorbox user origin screen %g, %g size screen %g, %g; set cblabel offset 0.6, 0", \
     1 - m(18) / wide, bottom / high, m(3) / wide, 1 - (bottom + top) / high)

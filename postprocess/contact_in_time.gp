@@ -28,7 +28,10 @@ begin = T(T_min)
 end = T_max > T_min ? T(T_max) : begin + 1
 first_lines(name) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, 0), points, left, right)
 
-high = plane ? m(112 + top) : m(70 + top)
+# A map has the shape of its window, within limits.
+tall = plane ? (wide - m(129)) * 2 * far / (right - left) : 0
+tall = tall < m(15) ? m(15) : tall > m(90) ? m(90) : tall
+high = plane ? m(80 + top) + tall : m(70 + top)
 course = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(9), high - m(29)); unset title; unset colorbox"
 lines = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(40), high - m(69))"
 maps = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(78), m(top + 2))"
@@ -53,9 +56,9 @@ do for [shown in shown_frames] {
       set ylabel axis_Y offset 1, 0
       set cblabel panel == 1 ? axis_H : axis_P offset 1.6, 0
       eval "set palette ".(panel == 1 ? film_colours : pressure_colours)
-      set cbrange [panel == 1 ? low : 0:panel == 1 ? highest : tallest]
+      set cbrange [panel == 1 ? (M_min > 0 ? inner(low, M_min) : low) : 0:panel == 1 ? highest : tallest]
       if (panel == 1 && far_apart) { set logscale cb; set format cb "10^{%L}" } else { unset logscale cb; set format cb "%g" }
-      set colorbox user origin screen (panel == 1 ? wide - m(111) : wide - m(14)) / wide, m(78) / high size screen m(2.5) / wide, 1 - m(80 + top) / high
+      set colorbox user origin screen (panel == 1 ? wide - m(111) : wide - m(14)) / wide, m(78) / high size screen m(2.5) / wide, tall / high
       plot field(name, points / 2) matrix nonuniform using 1:2:3 with image
       unset colorbox
     }
