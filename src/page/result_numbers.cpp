@@ -145,6 +145,13 @@ using Kind = results::ResultFile::Kind;
 
 constexpr std::size_t most_rows = 200;
 
+// "p_max" with all letters after the bar as the index.
+std::string with_one_index(const std::string& symbol) {
+  const std::size_t bar = symbol.find('_');
+  if (bar == std::string::npos) return escaped(symbol);
+  return with_indices(symbol.substr(0, bar + 1) + "{" + symbol.substr(bar + 1) + "}");
+}
+
 std::string table_of_file(const ResultView& view, const std::string& name) {
   HtmlTable table{with_indices(""), {}, {}, "numbers"};
   std::istringstream order(view.source.file.attribute(name, "columns"));
@@ -153,7 +160,7 @@ std::string table_of_file(const ResultView& view, const std::string& name) {
     const results::Array found = view.source.numbers(name + "/" + column);
     const std::string unit = with_indices(unit_words(found.unit));
     const std::string symbol = view.source.si ? numbers::symbol_in_si(column) : "";
-    table.head.push_back((symbol.empty() ? escaped(column) : with_indices(symbol)) +
+    table.head.push_back((symbol.empty() ? escaped(column) : with_one_index(symbol)) +
                          (unit.empty() ? "" : " [" + unit + "]"));
     columns.push_back(found.values);
   }
