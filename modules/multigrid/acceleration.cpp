@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 namespace {
@@ -14,14 +14,12 @@ namespace {
 void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& asked) {
   if (asked.nodes_x() == 0) asked = core::Field(level.grid);
   const core::Patch& grid = level.grid;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
-  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const reynolds::NodeRows rows = multigrid::rows(hierarchy, level);
   for (int i = 1; i < grid.nx; ++i) {
-    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * film_response(level, 0);
+    const double film = rows.wedge(i)[0] * film_response(level, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::faces_at(level.scheme.face, level.eps, eps_across(level), i, j, half);
       const bool stays = reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
-      asked(i, j) = stays ? 0.0 : level.r(i, j) / (reynolds::total(e) + film * level.rho_bar(i, j));
+      asked(i, j) = stays ? 0.0 : level.r(i, j) / (reynolds::total(rows.faces(i, j)) + film * level.rho_bar(i, j));
     }
   }
 }

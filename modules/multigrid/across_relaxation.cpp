@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <span>
 
+#include "multigrid/line_batch.hpp"
 #include "multigrid/relaxation.hpp"
 #include "multigrid/thread_work.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 namespace {
@@ -21,8 +22,7 @@ class StationAcross {
         two_epsilons_(film::anisotropic(film_)),
         cavitation_(hierarchy.problem.cavitation),
         level_(level),
-        transport_(transport_on(hierarchy, level)),
-        half_(level.grid.hx(), level.grid.hy()),
+        rows_(rows(hierarchy, level)),
         stretch_(core::stretch(level.grid)),
         weight_single_(how.weight_single),
         most_change_(how.most_change),
@@ -85,23 +85,13 @@ class StationAcross {
 
   RowAcross row_at(int i, int j, const ThreadWork& work) const {
     const core::Field& P = level_.P;
-    const Faces<double> e = reynolds::faces_at(level_.scheme.face, level_.eps, eps_across(level_), i, j, half_);
+    const Faces<double> e = rows_.faces(i, j);
     if (!single(e)) return {};
-    const auto c = reynolds::transport_weights(transport_, i, level_.grid.hx());
-    const auto Q = [&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); };
-    const int far_west = std::max(i - 2, 0);
-    double own = c[0], net;
-    if (reynolds::third_order(transport_.wedge)) {
-      const auto w = reynolds::third_order_weights<double>(c, transport_, level_.grid.hx(),
-                                                           {level_.third_order(i - 1, j), level_.third_order(i, j)});
-      own = w[0];
-      net = reynolds::transported(w, Q(i), Q(i - 1), Q(far_west), Q(i + 1));
-    } else {
-      net = reynolds::transported(c, Q(i), Q(i - 1), Q(far_west));
-    }
-    RowAcross row{.r = net - reynolds::poiseuille_at(e, P, i, j)};
+    const reynolds::NodeRows::NodeRow reynolds_row{rows_.weights(i, j), e};
+    RowAcross row{.r = reynolds_row.residual(rows_.Q(i, j), reynolds::cross_at(P, i, j))};
     if (level_.f.nodes_x() > 0) row.r += level_.f(i, j);
     if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
+    const double own = reynolds_row.w[0];
     const double film = own * level_.rho_bar(i, j);
     row.weight = weight_of(e);
     row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * film_response(level_, 0);
@@ -141,10 +131,11 @@ class StationAcross {
     const auto south = between(phi, a, i, j - 1, i, j), north = between(phi, a, i, j, i, j + 1);
     const auto west = between(oil.fluidity, oil.log_viscosity, i - 1, j, i, j);
     const auto east = between(oil.fluidity, oil.log_viscosity, i, j, i + 1, j);
-    row.south += e.south * (1.0 - south.before);
-    row.north += e.north * (1.0 - north.behind);
-    row.own += e.south * (south.behind - 1.0) + e.north * (north.before - 1.0) + e.west * (west.behind - 1.0) +
-               e.east * (east.before - 1.0);
+    // The row of a line along Y: X and Y change places.
+    const auto along_Y = viscosity_row<double>({e.south, e.north, e.west, e.east}, south, north, west, east);
+    row.south += along_Y.west;
+    row.own += along_Y.own;
+    row.north += along_Y.east;
   }
 
   // Epsilon at the nodes: it follows the pressures of the column. Each node gives half of the e in e (P_other - P).
@@ -153,11 +144,12 @@ class StationAcross {
     const auto slope = [](const std::vector<double>& slopes, int m) { return slopes[static_cast<std::size_t>(m)]; };
     const std::vector<double>& across = two_epsilons_ ? work.eps_across_P : work.eps_P;
     const int north = j == level_.grid.ny ? j - 1 : j + 1;  // the axis of symmetry: both neighbours are the same line
-    const double to_south = half_.Y * (P(i, j) - P(i, j - 1)), to_north = half_.Y * (P(i, j) - P(i, j + 1));
+    const double to_south = rows_.half().Y * (P(i, j) - P(i, j - 1)),
+                 to_north = rows_.half().Y * (P(i, j) - P(i, j + 1));
     row.south += slope(across, j - 1) * to_south;
     row.north += slope(across, north) * to_north;
     row.own += slope(across, j) * (to_south + to_north) +
-               slope(work.eps_P, j) * half_.X * (2.0 * P(i, j) - P(i - 1, j) - P(i + 1, j));
+               slope(work.eps_P, j) * rows_.half().X * (2.0 * P(i, j) - P(i - 1, j) - P(i + 1, j));
   }
 
   void make_slopes(int i, ThreadWork& work) const {
@@ -178,8 +170,7 @@ class StationAcross {
   bool two_epsilons_;
   reynolds::Cavitation cavitation_;
   Level& level_;
-  reynolds::Transport transport_;
-  reynolds::HalfInverseSquares half_;
+  reynolds::NodeRows rows_;
   double stretch_;
   double weight_single_;
   double most_change_;

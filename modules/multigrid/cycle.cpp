@@ -29,17 +29,14 @@ double unsolved_share(Hierarchy& hierarchy, Level& level) {
   update_residual(hierarchy, level);
   const core::Patch& grid = level.grid;
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
-  const reynolds::Transport transport = transport_on(hierarchy, level);
-  const auto Q = [&](int i, int j) { return level.rho_bar(i, j) * level.H(i, j); };
+  const reynolds::NodeRows rows = multigrid::rows(hierarchy, level);
   double residual = 0.0, transported = 0.0;
-  for (int i = 1; i < grid.nx; ++i) {
-    const auto c = reynolds::transport_weights(transport, i, grid.hx());
+  for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
       if (!reynolds::stays_dry(cavitation, level.P(i, j), level.r(i, j))) residual += std::abs(level.r(i, j));
       if (!reynolds::dry(cavitation, level.P(i, j)))
-        transported += std::abs(reynolds::transported(c, Q(i, j), Q(i - 1, j), Q(std::max(i - 2, 0), j)));
+        transported += std::abs(reynolds::transported(rows.wedge(i), rows.Q(i, j)));
     }
-  }
   const std::optional<double>& load = hierarchy.problem.load;
   const double missing = load ? std::abs(wanted_load(hierarchy, level) - carried_load(level)) / *load : 0.0;
   return (residual == 0.0 ? 0.0 : residual / transported) +

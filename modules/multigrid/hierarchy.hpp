@@ -6,6 +6,7 @@
 #include "core/timer.hpp"
 #include "multigrid/level.hpp"
 #include "multigrid/parameters.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 
@@ -108,6 +109,10 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
   reynolds::Transport transport = hierarchy.transport;
   transport.wedge = level.scheme.wedge;
   return transport;
+}
+/// The rows of the Reynolds equation on a level.
+inline reynolds::NodeRows rows(const Hierarchy& hierarchy, const Level& level) {
+  return {level.grid, fields(level), transport_on(hierarchy, level)};
 }
 
 }  // namespace ehl::multigrid

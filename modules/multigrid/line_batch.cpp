@@ -14,15 +14,19 @@ using core::Lanes;
 
 namespace {
 
-/// The film of a column: rho_bar, rho_bar H and d(rho_bar)/dP H.
-struct FilmStation {
-  Lanes rho_bar, rho_H, slope_H;
+/// The film in the columns of a row: rho_bar, rho_bar H and d(rho_bar)/dP H.
+struct FilmAround {
+  reynolds::Columns<Lanes> rho_bar{}, rho_H{}, slope_H{};
+
+  /// Goes on to the next row, whose eastern column is i.
+  void go_on(const Level& level, int i, int j) {
+    const Lanes H = own_lines(level.H, i, j);
+    const Lanes rho = own_lines(level.rho_bar, i, j);
+    rho_bar = {rho_bar.east, rho_bar.own, rho_bar.west, rho};
+    rho_H = {rho_H.east, rho_H.own, rho_H.west, rho * H};
+    slope_H = {slope_H.east, slope_H.own, slope_H.west, own_lines(level.drho_bar, i, j) * H};
+  }
 };
-FilmStation film_station(const Level& level, int i, int j) {
-  const Lanes H = own_lines(level.H, i, j);
-  const Lanes rho_bar = own_lines(level.rho_bar, i, j);
-  return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
-}
 
 /// Derivatives of r by the films in epsilon, which is proportional to H^3: the film of the column itself, of the
 /// columns next to it, and of the two lines next to this one.
@@ -35,18 +39,17 @@ struct FilmOfEpsilon {
 /// epsilon, and epsilon follows the film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H, and
 /// the coarsest grid diverges. [bench: epsilon_follows_film]
 /// in: beside, the share of the derivatives by the films of the neighbouring lines that the rows use, since these lines
-/// change in turn; the arguments of poiseuille(): the factors of the faces, the pressures of the column and of its
-/// neighbours.
+/// change in turn; the pressures of the column and of its neighbours.
 FilmOfEpsilon film_of_epsilon(double beside, const Level& level, int i, int j, const reynolds::HalfInverseSquares& half,
-                              Lanes P_west, const Beside& P, Lanes P_east) {
+                              const reynolds::Cross<Lanes>& P) {
   const Beside H = with_neighbours(level.H, i, j);
   const Beside eps = with_neighbours(eps_across(level), i, j);
   const auto slope = [](Lanes e, Lanes h) {
     return h > 0.0 ? 3.0 * e / (h > 0.0 ? h : core::broadcast(1.0)) : Lanes{};
   };
   const auto at = [&](int k) { return slope(own_lines(level.eps, k, j), own_lines(level.H, k, j)); };
-  const Lanes to_west = half.X * (P.own - P_west);
-  const Lanes to_east = half.X * (P.own - P_east);
+  const Lanes to_west = half.X * (P.own - P.west);
+  const Lanes to_east = half.X * (P.own - P.east);
   const Lanes to_south = half.Y * (P.own - P.south), to_north = half.Y * (P.own - P.north);
   return {.own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
           .west = at(i - 1) * to_west,
@@ -88,91 +91,76 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);
-  FilmStation film2{};
-  FilmStation film1 = film_station(level, 0, j);
-  FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
+  FilmAround film;
+  film.go_on(level, 0, j);
+  film.go_on(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const DistributedShares shares = distributed_shares(grid);
   const double film_beside = hierarchy.parameters.tuning.film_beside;
-  const double share = shares.along;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
     for (int lane = 0; lane < core::lanes; ++lane)
       supply[lane] = level.content->supply[static_cast<std::size_t>(std::min(j + 2 * lane, grid.ny))];
-    march.emplace(transport, grid.hx(), core::min(supply, film1.rho_H), film1.rho_H);
+    march.emplace(transport, grid.hx(), core::min(supply, film.rho_H.own), film.rho_H.own);
   }
   for (int i = 1; i < grid.nx; ++i) {
-    const Beside P_east = with_neighbours(level.P, i + 1, j);
-    const FilmStation film0 = plain ? film_station(level, i, j) : film_east;
     const auto k = static_cast<std::size_t>(i);
+    film.go_on(level, i + 1, j);
+    const Beside P_east = with_neighbours(level.P, i + 1, j);
+    const reynolds::Cross<Lanes> pressures{P_west, P_east.own, P.south, P.north, P.own};
     const reynolds::Faces<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
-    const auto c = reynolds::transport_weights(transport, i, grid.hx());
-    const Lanes inflow = reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own);
-
-    line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
-    FilmOfEpsilon of_epsilon{};
-    reynolds::PressureRow<Lanes> dr;  // by the pressure changes: Poiseuille terms, and the wedge through the density
-    if constexpr (plain) {
-      point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
-      if constexpr (follows) {
-        of_epsilon = film_of_epsilon(film_beside, level, i, j, half, P_west, P, P_east.own);
-        point.c[0] += of_epsilon.own;
-        point.c[1] += of_epsilon.west;
-        point.c[3] = of_epsilon.east;
+    const Lanes f = level.f.nodes_x() > 0 ? own_lines(level.f, i, j) : Lanes{};
+    const auto theta = [&] {
+      return reynolds::ThirdOrder<Lanes>{own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)};
+    };
+    Lanes r;
+    const auto weights = [&] {
+      if constexpr (form == Form::mass_conserving) {
+        r = march->residual(film.rho_H.own, film.rho_H.east,
+                            reynolds::third_order(transport.wedge) ? theta() : reynolds::ThirdOrder<Lanes>{},
+                            reynolds::poiseuille(e, pressures) - f);
+        return march->weights();
+      } else {
+        return reynolds::wedge_weights<!plain, Lanes>(reynolds::transport_weights(transport, i, grid.hx()), transport,
+                                                      grid.hx(), theta);
       }
-      point.r = reynolds::transported(c, film0.rho_H, film1.rho_H, film2.rho_H) - inflow;
-      dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
-    } else if constexpr (form == Form::mass_conserving) {
-      film_east = film_station(level, i + 1, j);
-      reynolds::ThirdOrder<Lanes> theta{};
-      if (reynolds::third_order(transport.wedge))
-        theta = {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)};
-      const Lanes f = level.f.nodes_x() > 0 ? own_lines(level.f, i, j) : Lanes{};
-      point.r = march->residual(film0.rho_H, film_east.rho_H, theta, inflow - f);
-      const auto w = march->weights();
-      point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
-      dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
-      Lanes back = e.west;
-      if (at_half_points(level)) {
-        dr = reynolds::sum(dr, work_.answers[k]);
-        back += work_.answers_west[k];
-      }
+    }();
+    const auto reynolds_row = reynolds::row_of(weights, e);
+    if constexpr (form != Form::mass_conserving) r = reynolds_row.residual(film.rho_H, pressures) + f;
+    // By the pressure changes: Poiseuille terms, and the wedge through the density.
+    reynolds::PressureRow<Lanes> dr = reynolds_row.by_pressure(film.slope_H);
+    if (!plain && at_half_points(level)) dr = reynolds::sum(dr, work_.answers[k]);
+    if constexpr (form == Form::mass_conserving) {
+      const Lanes back = at_half_points(level) ? e.west + work_.answers_west[k] : e.west;
       dr.own -= march->behind_dry() ? march->part_that_returns() * back : Lanes{};
-      march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.content->chatters, i, j) > 0.0);
-    } else {
-      film_east = film_station(level, i + 1, j);
-      const auto w = reynolds::third_order_weights<Lanes>(
-          c, transport, grid.hx(), {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)});
-      point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
-      point.r = reynolds::transported(w, film0.rho_H, film1.rho_H, film2.rho_H, film_east.rho_H) - inflow;
-      dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
-      if (at_half_points(level)) dr = reynolds::sum(dr, work_.answers[k]);
+      march->go_on(film.rho_H.own, P.own <= 0.0, r, own_lines(level.content->chatters, i, j) > 0.0);
     }
-    if (form != Form::mass_conserving && level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
+    const auto by_film = reynolds_row.by_film(film.rho_bar);
+    FilmOfEpsilon of_epsilon{};
+    line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
+    if constexpr (follows) {
+      of_epsilon = film_of_epsilon(film_beside, level, i, j, half, pressures);
+      point.c = {by_film[0] + of_epsilon.own, by_film[1] + of_epsilon.west, by_film[2], of_epsilon.east};
+    } else {
+      point.c = by_film;
+    }
+    point.r = r;
     const Lanes* d = distributive + i;
-    point.a = coefficients_of_deltas(
-        shares, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
-
-    line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
-    // delta_{i-3} changes the density at i-2 by its distribution.
-    row.a[line_solvers::BandRow<reach>::lower - 3] += share * d[-3] * dr.far_west;
+    line_solvers::BandRow<reach> row = band_row<reach>(
+        level.film_terms, shares, point, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film.rho_bar.own);
     if constexpr (follows)
       for (int q = -reach; q <= reach; ++q)
         row.a[static_cast<std::size_t>(line_solvers::BandRow<reach>::lower + q)] -=
             (1.0 - d[q]) * of_epsilon.across * film_response(level, q, 1);
-    LaneMask fixed = outside;
     // Without these identity rows the solution would be no fixed point of the relaxation.
-    fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
-    line_solvers::make_identity(row, fixed);
+    line_solvers::make_identity(row, outside | reynolds::stays_dry(cavitation, P.own, r));
     take(i, row);
 
     P_west = P.own;
     P = P_east;
-    film2 = film1;
-    film1 = film0;
   }
 }
 

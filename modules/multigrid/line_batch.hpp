@@ -2,6 +2,7 @@
 // Assembly and solution of the line systems of a batch of lines of one colour.
 #include <array>
 
+#include "film/half_points.hpp"
 #include "multigrid/hierarchy.hpp"
 #include "multigrid/thread_work.hpp"
 
@@ -37,6 +38,35 @@ inline std::array<core::Lanes, 5> coefficients_of_deltas(const DistributedShares
   return {share * d(-2) * dr.west - dr.far_west, share * d(-1) * (dr.far_west + dr.own) - dr.west,
           share * d(0) * (dr.west + dr.east + across * dr.south + across * dr.north) - dr.own - squeezed,
           share * d(1) * dr.own - dr.east, share * d(2) * dr.east};
+}
+
+/// What a row has in addition as epsilon at half points follows the viscosity at the nodes. in: e; the derivatives of
+/// the viscosity (film::answers) at the four faces.
+template <class Number>
+reynolds::PressureRow<Number> viscosity_row(const reynolds::Faces<Number>& e, const film::Answers<Number>& west,
+                                            const film::Answers<Number>& east, const film::Answers<Number>& south,
+                                            const film::Answers<Number>& north) {
+  return {.far_west = Number{},
+          .west = e.west * (1.0 - west.before),
+          .own = e.west * (west.behind - 1.0) + e.east * (east.before - 1.0) + e.south * (south.behind - 1.0) +
+                 e.north * (north.before - 1.0),
+          .east = e.east * (1.0 - east.behind),
+          .south = e.south * (1.0 - south.before),
+          .north = e.north * (1.0 - north.behind)};
+}
+
+/// The row of the line system of a point. in: c and r of its equation; the derivatives of r by the pressures; d and
+/// `squeezed` of coefficients_of_deltas().
+template <int reach, std::size_t films, class Distributive>
+line_solvers::BandRow<reach> band_row(const line_solvers::FilmTerms& film, const DistributedShares& shares,
+                                      line_solvers::PointEquation<films>& point,
+                                      const reynolds::PressureRow<core::Lanes>& dr, Distributive d,
+                                      core::Lanes squeezed) {
+  point.a = coefficients_of_deltas(shares, dr, d, squeezed);
+  line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(film, point, d);
+  // delta_{i-3} changes the density at i-2 by its distribution.
+  row.a[line_solvers::BandRow<reach>::lower - 3] += shares.along * d(-3) * dr.far_west;
+  return row;
 }
 
 /// Under-relaxation weight of a change: weight_distributed, or weight_single where the coefficients of the half points

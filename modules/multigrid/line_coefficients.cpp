@@ -7,7 +7,7 @@
 #include "multigrid/line_lanes.hpp"
 #include "multigrid/line_relaxation.hpp"
 #include "multigrid/relaxation.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 
@@ -112,16 +112,8 @@ void LineCoefficients::read_answers(const Tuning& tuning, const Level& level, in
     const Beside a_here = with_neighbours(a_across, i, j);
     const auto south = film::answers(least, phi_here.south, phi_here.own, a_here.south, a_here.own);
     const auto north = film::answers(least, phi_here.own, phi_here.north, a_here.own, a_here.north);
-    const Lanes e_south = across * work_.south[k];
-    const Lanes e_north = across * work_.north[k];
-    work_.answers[k] = reynolds::PressureRow<Lanes>{
-        .far_west = Lanes{},
-        .west = work_.west[k] * (1.0 - west.before),
-        .own = work_.west[k] * (west.behind - 1.0) + work_.west[k + 1] * (east.before - 1.0) +
-               e_south * (south.behind - 1.0) + e_north * (north.before - 1.0),
-        .east = work_.west[k + 1] * (1.0 - east.behind),
-        .south = e_south * (1.0 - south.before),
-        .north = e_north * (1.0 - north.behind)};
+    work_.answers[k] = viscosity_row<Lanes>(
+        {work_.west[k], work_.west[k + 1], across * work_.south[k], across * work_.north[k]}, west, east, south, north);
     work_.answers_west[k] = work_.west[k] * (west.behind - 1.0);
     west = east;
     phi = phi_east;

@@ -7,7 +7,7 @@
 #include "multigrid/line_batch.hpp"
 #include "multigrid/line_contact.hpp"
 #include "multigrid/relaxation.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using core::LaneMask;
 using core::Lanes;
 using Values = LineSystem::Values;
-using WedgeWeights = std::array<double, 3>;  // of a node and of the two upstream
+using reynolds::WedgeWeights;
 
 /// A vector of values, of node i and of those after it.
 Lanes at(const Values& values, int i) { return core::load(&values[static_cast<std::size_t>(i + LineSystem::margin)]); }
@@ -168,39 +168,29 @@ line_solvers::BandRow<reach> AlongLine<reach>::rows_from(int i, const WedgeWeigh
   constexpr bool plain = form == Form::plain;
   const reynolds::Faces<Lanes> e{at(work_.west, i), at(work_.west, i + 1), Lanes{}, Lanes{}};
   const Lanes P = at(work_.P, i);
-  const Lanes inflow = reynolds::poiseuille(e, at(work_.P, i - 1), at(work_.P, i + 1), P, P, P);
   const auto around = [i](const Values& values) {
-    return std::array{at(values, i), at(values, i - 1), at(values, i - 2)};
+    return reynolds::Columns<Lanes>{at(values, i), at(values, i - 1), at(values, i - 2), at(values, i + 1)};
   };
-  const auto [rho0, rho1, rho2] = around(work_.rho_bar);
-  const auto [q0, q1, q2] = around(work_.rho_H);
-  const auto [s0, s1, s2] = around(work_.slope_H);
+  const auto theta = [&] {
+    return reynolds::ThirdOrder<Lanes>{at(work_.third_order, i - 1), at(work_.third_order, i)};
+  };
+  const auto weights = reynolds::wedge_weights<!plain, Lanes>(c, transport_, grid_.hx(), theta);
+  const auto reynolds_row = reynolds::row_of(weights, e);
   line_solvers::PointEquation<plain ? 3 : 4> point;
-  reynolds::PressureRow<Lanes> dr;
-  if constexpr (plain) {
-    point.c = {c[0] * rho0, c[1] * rho1, c[2] * rho2};
-    point.r = reynolds::transported(c, q0, q1, q2) - inflow;
-    dr = reynolds::pressure_row(c, e, s0, s1, s2);
-  } else {
-    const auto w = reynolds::third_order_weights<Lanes>(c, transport_, grid_.hx(),
-                                                        {at(work_.third_order, i - 1), at(work_.third_order, i)});
-    point.c = {w[0] * rho0, w[1] * rho1, w[2] * rho2, w[3] * at(work_.rho_bar, i + 1)};
-    point.r = reynolds::transported(w, q0, q1, q2, at(work_.rho_H, i + 1)) - inflow;
-    dr = reynolds::pressure_row(w, e, s0, s1, s2, at(work_.slope_H, i + 1));
-    if (half_points_)
-      dr = reynolds::sum(
-          dr, {.far_west = Lanes{},
-               .west = e.west * (1.0 - at(work_.answer_before, i)),
-               .own = e.west * (at(work_.answer_behind, i) - 1.0) + e.east * (at(work_.answer_before, i + 1) - 1.0),
-               .east = e.east * (1.0 - at(work_.answer_behind, i + 1)),
-               .south = Lanes{},
-               .north = Lanes{}});
-  }
+  point.c = reynolds_row.by_film(around(work_.rho_bar));
+  point.r = reynolds_row.residual(around(work_.rho_H), {at(work_.P, i - 1), at(work_.P, i + 1), P, P, P});
   if (level_.f.nodes_x() > 0) point.r += at(work_.f, i);
-  const auto d = [&](int q) { return at(work_.distributive, i + q); };
-  point.a = coefficients_of_deltas(shares_, dr, d, at(work_.far_squeeze, i) * rho0);
-  line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
-  row.a[Rows::lower - 3] += shares_.along * d(-3) * dr.far_west;
+  reynolds::PressureRow<Lanes> dr = reynolds_row.by_pressure(around(work_.slope_H));
+  if (!plain && half_points_) {
+    const auto answers = [&](int k) {
+      return film::Answers<Lanes>{at(work_.answer_before, k), at(work_.answer_behind, k)};
+    };
+    const film::Answers<Lanes> none{};
+    dr = reynolds::sum(dr, viscosity_row(e, answers(i), answers(i + 1), none, none));
+  }
+  line_solvers::BandRow<reach> row = band_row<reach>(
+      level_.film_terms, shares_, point, dr, [&](int q) { return at(work_.distributive, i + q); },
+      at(work_.far_squeeze, i) * at(work_.rho_bar, i));
   line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
   return row;
 }

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "multigrid/hierarchy.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 

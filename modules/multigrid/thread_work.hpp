@@ -11,7 +11,7 @@
 #include "line_solvers/two_ended.hpp"
 #include "multigrid/parameters.hpp"
 #include "reynolds/cavitation.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::multigrid {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "multigrid/hierarchy.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::newton {
 
@@ -41,8 +41,7 @@ class ContentRows {
         double third_here = 0.0;
         if (dtheta.nodes_x() > 0 && row.theta.east > 0.0)
           third_here = reynolds::third_order_part(dtheta(i, j), q(i - 1, j), q(i, j), q(i + 1, j));
-        const int far = i > 1 ? i - 2 : 0;
-        double dr = reynolds::transported(row.weights, dq(i, j), dq(i - 1, j), dq(far, j), dq(i + 1, j)) +
+        double dr = reynolds::transported(row.weights, reynolds::columns_at(i, [&](int k) { return dq(k, j); })) +
                     per_step * (third_here - (row.behind_dry ? flux : third)) - d_inflow(i, j);
         take(i, j, dr);
         const double behind =

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "film/half_points.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::newton {
 
@@ -32,18 +32,12 @@ Equations::Equations(multigrid::Hierarchy& hierarchy, std::size_t l)
 }
 
 void Equations::make_scale() {
-  const core::Patch& grid = level_.grid;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
-  const core::Field& eps = level_.eps;
-  const core::Field& eps_across = multigrid::eps_across(level_);
-  for (int i = 1; i < grid.nx; ++i) {
-    const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
-    for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
+  const reynolds::NodeRows rows = this->rows();
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j <= grid().last_line(); ++j) {
       const double dq = level_.rho_bar(i, j) * multigrid::film_response(level_, 0);
-      scale_[index(i, j)] = 1.0 / (reynolds::total(e) + c0 * dq);
+      scale_[index(i, j)] = 1.0 / reynolds::row_of(rows.wedge(i), rows.faces(i, j)).diagonal(dq);
     }
-  }
 }
 
 void Equations::unknowns(std::span<double> u) {
@@ -216,39 +210,33 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
   if (anisotropic() && !at_half_points()) core::fill_ghosts(grid, across_.change);
   const core::Field& deps = along_.change;
   const core::Field& deps_across = two_epsilons() ? across_.change : along_.change;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& P = level_.P;
+  const reynolds::NodeRows rows = this->rows();
+  const auto dpoiseuille = [&](int i, int j) {
+    const auto de = reynolds::faces_at(face(), deps, deps_across, i, j, rows.half());
+    return reynolds::poiseuille(de, reynolds::cross_at(P, i, j));
+  };
   const reynolds::Transport transport = this->transport();
-  const auto q = [this](int i, int j) { return level_.rho_bar(i, j) * level_.H(i, j); };
-  const core::Field& eps = level_.eps;
-  const core::Field& eps_across = multigrid::eps_across(level_);
   if (multigrid::conserves_mass(level_)) {
     const auto d_inflow = [&](int i, int j) {
-      return reynolds::poiseuille_at(reynolds::faces_at(face(), eps, eps_across, i, j, half), dP, i, j) +
-             reynolds::poiseuille_at(reynolds::faces_at(face(), deps, deps_across, i, j, half), P, i, j);
+      return reynolds::poiseuille(rows.faces(i, j), reynolds::cross_at(dP, i, j)) + dpoiseuille(i, j);
     };
     content_rows_.change(level_, transport.speed / grid.hx(), dq, dtheta_, d_inflow,
                          [&](int i, int j, double change) { dr[index(i, j)] = change; });
     return;
   }
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (int i = 1; i < grid.nx; ++i) {
-    const auto c = reynolds::transport_weights(transport, i, grid.hx());
-    const int upstream = std::max(i - 2, 0);
+  for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
-      const auto de = reynolds::faces_at(face(), deps, deps_across, i, j, half);
-      const auto w = reynolds::third_order_weights(c, transport, grid.hx(), third_order_around(i, j));
+      const auto dQ = reynolds::columns_at(i, [&](int k) { return dq(k, j); });
       double& change = dr[index(i, j)];
-      change = reynolds::transported(w, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j)) -
-               reynolds::poiseuille_at(e, dP, i, j) - reynolds::poiseuille_at(de, P, i, j);
+      change = rows.at(i, j).residual(dQ, reynolds::cross_at(dP, i, j)) - dpoiseuille(i, j);
       if (switched()) {
         const auto dw =
             reynolds::third_order_weights<double>({}, transport, grid.hx(), {dtheta_(i - 1, j), dtheta_(i, j)});
-        change += reynolds::transported(dw, q(i, j), q(i - 1, j), q(upstream, j), q(i + 1, j));
+        change += reynolds::transported(dw, rows.Q(i, j));
       }
     }
-  }
 }
 
 void Equations::deform(const core::Field& p, core::Field& w) {

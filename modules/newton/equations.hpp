@@ -7,7 +7,7 @@
 #include "core/field.hpp"
 #include "multigrid/hierarchy.hpp"
 #include "newton/content_rows.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::newton {
 
@@ -66,12 +66,7 @@ class Equations {
     return at_half_points() ? across_.dH00 : anisotropic() ? across_.dH : along_.dH;
   }
   reynolds::Face face() const { return level_.scheme.face; }
-  /// theta at the west and east faces of a node.
-  reynolds::ThirdOrder<double> third_order_around(int i, int j) const {
-    const core::Field& theta = level_.third_order;
-    return theta.nodes_x() > 0 ? reynolds::ThirdOrder<double>{theta(i - 1, j), theta(i, j)}
-                               : reynolds::ThirdOrder<double>{};
-  }
+  reynolds::NodeRows rows() const { return multigrid::rows(hierarchy_, level_); }
   /// The rows of the mass conserving model; nullptr with another model.
   const ContentRows* content_rows() const { return multigrid::conserves_mass(level_) ? &content_rows_ : nullptr; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "reynolds/flux.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::newton {
 namespace {
@@ -182,7 +182,7 @@ void Preconditioner::Implementation::make_order() {
 void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   const core::Patch& grid = equations.grid();
   const multigrid::Level& level = equations.level();
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::NodeRows rows = equations.rows();
   const core::Field& dq = equations.local().q;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * order.size());
@@ -191,10 +191,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     const double s = equations.scale(equations.index(i, j));
     const reynolds::Face face = equations.face();
     const ContentRows* content = equations.content_rows();
-    const auto c = content != nullptr ? content->at(i, j).weights
-                                      : reynolds::third_order_weights(
-                                            reynolds::transport_weights(equations.transport(), i, grid.hx()),
-                                            equations.transport(), grid.hx(), equations.third_order_around(i, j));
+    const auto c = content != nullptr ? content->at(i, j).weights : rows.weights(i, j);
     const auto enter = [&](int ci, int line, double value) {
       const int cj = grid.holder(line);
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
@@ -206,24 +203,25 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     // Adds the row of node k with these weights. Upstream dry nodes, whose outflow equals their inflow, are added
     // without weights of their own film.
     const auto enter_row = [&](int k, const std::array<double, 4>& w) {
-      const int upstream = std::max(k - 2, 0);
-      const auto e = reynolds::faces_at(face, level.eps, multigrid::eps_across(level), k, j, half);
-      const auto held = reynolds::pressure_row(w, e, dq(k, j), dq(k - 1, j), dq(upstream, j), dq(k + 1, j));
-      const auto dr =
-          face == reynolds::Face::mean
-              ? reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), k, j, half)
-              : reynolds::pressure_row(held, level.P, equations.local().eps, equations.local().eps_behind,
-                                       equations.local().eps_across, equations.local().eps_across_behind, k, j, half);
+      const auto in_columns = [&](const core::Field& field) {
+        return reynolds::columns_at(k, [&](int column) { return field(column, j); });
+      };
+      const auto held = reynolds::row_of(w, rows.faces(k, j)).by_pressure(in_columns(dq));
+      const auto dr = face == reynolds::Face::mean
+                          ? reynolds::follow_epsilon(held, level.P, equations.local().eps, equations.local_eps_across(),
+                                                     k, j, rows.half())
+                          : reynolds::follow_epsilon(held, level.P, equations.local().eps, equations.local().eps_behind,
+                                                     equations.local().eps_across, equations.local().eps_across_behind,
+                                                     k, j, rows.half());
       enter(k, j, dr.own);
       enter(k - 1, j, dr.west);
       enter(k + 1, j, dr.east);
       enter(k, j - 1, dr.south);
       enter(k, j + 1, dr.north);
       if (w[2] != 0.0) enter(k - 2, j, dr.far_west);
-      const auto de_dH00 = reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), k, j, half);
-      of_H00 += s * (reynolds::transported(w, level.rho_bar(k, j), level.rho_bar(k - 1, j), level.rho_bar(upstream, j),
-                                           level.rho_bar(k + 1, j)) -
-                     reynolds::poiseuille_at(de_dH00, level.P, k, j));
+      const auto de_dH00 =
+          reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), k, j, rows.half());
+      of_H00 += s * reynolds::row_of(w, de_dH00).residual(in_columns(level.rho_bar), reynolds::cross_at(level.P, k, j));
     };
     enter_row(i, c);
     if (content == nullptr) continue;

@@ -29,15 +29,12 @@ void march_batch(const core::Patch& grid, const Fields& state, const Content& co
   for (int i = 1; i < grid.nx; ++i) {
     const Lanes P_east = at(state.P, i + 1);
     const Lanes east = full_at(i + 1);
-    const auto across = [&](int from) {
-      return conductance(state.face, core::load(state.eps_across.at_x(i) + from),
-                         core::load(state.eps_across.at_x(i) + from + 1), half.Y);
-    };
-    const Faces<Lanes> e{conductance(state.face, at(state.eps, i - 1), at(state.eps, i), half.X),
-                         conductance(state.face, at(state.eps, i), at(state.eps, i + 1), half.X), across(j - 1),
-                         across(j)};
-    Lanes inflow =
-        poiseuille(e, P_west, P_east, core::load(state.P.at_x(i) + j - 1), core::load(state.P.at_x(i) + j + 1), P);
+    const auto beside = [&](const core::Field& field, int line) { return core::load(field.at_x(i) + line); };
+    const Faces<Lanes> e = faces<Lanes>(state.face,
+                                        {at(state.eps, i - 1), at(state.eps, i + 1), beside(state.eps_across, j - 1),
+                                         beside(state.eps_across, j + 1), at(state.eps, i)},
+                                        at(state.eps_across, i), half);
+    Lanes inflow = poiseuille(e, {P_west, P_east, beside(state.P, j - 1), beside(state.P, j + 1), P});
     if (state.f.nodes_x() > 0) inflow -= at(state.f, i);
     Lanes out = march.residual(full, east, {theta_at(i - 1), theta_at(i)}, inflow);
     const auto chatters = (state.chatters != nullptr ? at(*state.chatters, i) : Lanes{}) > 0.0;

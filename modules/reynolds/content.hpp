@@ -17,8 +17,8 @@
 #include <array>
 #include <span>
 
-#include "reynolds/flux.hpp"
 #include "reynolds/residual.hpp"
+#include "reynolds/row.hpp"
 
 namespace ehl::reynolds {
 

@@ -1,10 +1,8 @@
 #pragma once
 // The discrete Reynolds equation (eq. 4), for a double or for a batch of lines at once. Its face flux
 //   F = U Q - eps dP/dX   along X,   - eps dP/dY   along Y,   Q = rho_bar H,
-// is defined here and nowhere else: the residual, the rows of the relaxation and of Newton's method, the weights of the
-// transfers and the balance of mass use it.
+// is defined here and nowhere else: the rows (row.hpp), the weights of the transfers and the balance of mass use it.
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "reynolds/wedge.hpp"
@@ -45,36 +43,36 @@ struct HalfInverseSquares {
   double X, Y;
 };
 
+/// A node and its four neighbours.
+template <class Number>
+struct Cross {
+  Number west, east, south, north, own;
+};
+template <class Field>
+Cross<double> cross_at(const Field& f, int i, int j) {
+  return {f(i - 1, j), f(i + 1, j), f(i, j - 1), f(i, j + 1), f(i, j)};
+}
+
+/// The faces of a node. in: epsilon of the node and its neighbours, `own` of eps along X; own_across, epsilon of the
+/// node along Y.
+template <class Number>
+Faces<Number> faces(Face face, const Cross<Number>& eps, Number own_across, const HalfInverseSquares& half) {
+  return {conductance(face, eps.west, eps.own, half.X), conductance(face, eps.own, eps.east, half.X),
+          conductance(face, eps.south, own_across, half.Y), conductance(face, own_across, eps.north, half.Y)};
+}
 /// The faces of node (i, j) from two fields, eps along X and eps_across along Y, which may be the same field.
 template <class Field>
 Faces<double> faces_at(Face face, const Field& eps, const Field& eps_across, int i, int j,
                        const HalfInverseSquares& half) {
-  return {conductance(face, eps(i - 1, j), eps(i, j), half.X), conductance(face, eps(i, j), eps(i + 1, j), half.X),
-          conductance(face, eps_across(i, j - 1), eps_across(i, j), half.Y),
-          conductance(face, eps_across(i, j), eps_across(i, j + 1), half.Y)};
+  return faces<double>(face, {eps(i - 1, j), eps(i + 1, j), eps_across(i, j - 1), eps_across(i, j + 1), eps(i, j)},
+                       eps_across(i, j), half);
 }
 
-/// Inflow by pressure through the four faces: sum of e (P_neighbour - P_centre).
+/// Inflow by pressure through the four faces: sum of e (P_neighbour - P).
 template <class Number>
-Number poiseuille(const Faces<Number>& e, Number west, Number east, Number south, Number north, Number centre) {
-  return e.west * (west - centre) + e.east * (east - centre) + e.south * (south - centre) + e.north * (north - centre);
-}
-
-/// Weights of Q at i, i-1, i-2 in U dQ/dX + c Q at column i >= 1: the difference of what the faces i+1/2 and i-1/2
-/// carry, and the squeeze.
-inline std::array<double, 3> transport_weights(const Transport& transport, int i, double hx) {
-  const auto weight = [&](int column) {
-    const auto one_there = [column](int k) { return k == column ? 1.0 : 0.0; };
-    const double net = carried(transport.wedge, i, one_there) - carried(transport.wedge, i - 1, one_there);
-    return transport.speed * net / hx;
-  };
-  return {weight(i) + transport.squeeze, weight(i - 1), weight(i - 2)};
-}
-
-/// U dQ/dX + c Q. in: the weights, Q at i, i-1, i-2.
-template <class Number>
-Number transported(const std::array<double, 3>& c, Number own, Number west, Number far_west) {
-  return c[0] * own + c[1] * west + c[2] * far_west;
+Number poiseuille(const Faces<Number>& e, const Cross<Number>& P) {
+  return e.west * (P.west - P.own) + e.east * (P.east - P.own) + e.south * (P.south - P.own) +
+         e.north * (P.north - P.own);
 }
 
 /// Share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face of upstream3: theta = e^2/(e^2 + 1),
@@ -125,21 +123,6 @@ struct ThirdOrder {
   Number west, east;
 };
 
-/// Weights of Q at i, i-1, i-2, i+1: those of transport_weights() and what third_order_part() adds.
-template <class Number>
-std::array<Number, 4> third_order_weights(const std::array<double, 3>& c, const Transport& transport, double hx,
-                                          const ThirdOrder<Number>& theta) {
-  const double factor = transport.speed / (3.0 * hx);
-  const Number west = factor * theta.west;
-  const Number east = factor * theta.east;
-  return {c[0] - 2.0 * east - west, c[1] + east + 2.0 * west, c[2] - west, east};
-}
-/// U dQ/dX + c Q. in: the weights, Q at i, i-1, i-2, i+1.
-template <class Number, class Weight>
-Number transported(const std::array<Weight, 4>& c, Number own, Number west, Number far_west, Number east) {
-  return c[0] * own + c[1] * west + c[2] * far_west + c[3] * east;
-}
-
 /// How many times stronger a change of the film acts in a point's equation than in the steady one, on cells of length
 /// hx. The squeeze counts several times (far_part): its kernel is K itself, whose far part a relaxation of single
 /// points leaves out, where the wedge has differences of K. [bench: far_part_of_squeeze]
@@ -147,82 +130,6 @@ inline double relative_strength(const Transport& transport, double hx) {
   constexpr double far_part = 6.0;
   const double own = carried(transport.wedge, 2, [](int k) { return k == 2 ? 1.0 : 0.0; });
   return transport.speed + far_part * transport.squeeze * hx / own;
-}
-
-/// d r/dP of a node, r = U dQ/dX + c Q - poiseuille: derivatives by its own pressure and by those around it.
-template <class Number>
-struct PressureRow {
-  Number far_west, west, own, east, south, north;
-};
-
-template <class Number>
-PressureRow<Number> sum(const PressureRow<Number>& a, const PressureRow<Number>& b) {
-  return {a.far_west + b.far_west, a.west + b.west,   a.own + b.own,
-          a.east + b.east,         a.south + b.south, a.north + b.north};
-}
-
-/// The row of a wedge of three weights, with epsilon held. in: dQ/dP at i, i-1, i-2.
-template <class Number>
-PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Number>& e, Number own, Number west,
-                                 Number far_west) {
-  return {.far_west = c[2] * far_west,
-          .west = c[1] * west - e.west,
-          .own = total(e) + c[0] * own,
-          .east = -e.east,
-          .south = -e.south,
-          .north = -e.north};
-}
-
-/// The row of upstream3, with epsilon held. in: dQ/dP at i, i-1, i-2, i+1.
-template <class Number, class Weight>
-PressureRow<Number> pressure_row(const std::array<Weight, 4>& c, const Faces<Number>& e, Number own, Number west,
-                                 Number far_west, Number east) {
-  return {.far_west = c[2] * far_west,
-          .west = c[1] * west - e.west,
-          .own = total(e) + c[0] * own,
-          .east = c[3] * east - e.east,
-          .south = -e.south,
-          .north = -e.north};
-}
-
-/// Adds to a row that epsilon at the nodes follows the pressures. in: the row with epsilon held; P around node (i, j);
-/// d eps/dP along X and along Y.
-template <class Field>
-PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& slope,
-                                 const Field& slope_across, int i, int j, const HalfInverseSquares& half) {
-  const Faces<double> steps{half.X * (P(i - 1, j) - P(i, j)), half.X * (P(i + 1, j) - P(i, j)),
-                            half.Y * (P(i, j - 1) - P(i, j)), half.Y * (P(i, j + 1) - P(i, j))};
-  return {.far_west = held.far_west,
-          .west = held.west - steps.west * slope(i - 1, j),
-          .own = held.own - (steps.west + steps.east) * slope(i, j) - (steps.south + steps.north) * slope_across(i, j),
-          .east = held.east - steps.east * slope(i + 1, j),
-          .south = held.south - steps.south * slope_across(i, j - 1),
-          .north = held.north - steps.north * slope_across(i, j + 1)};
-}
-
-/// Adds to a row that epsilon at half points follows the pressures. in: the row with epsilon held; P around node (i,
-/// j); the derivatives of epsilon by the pressures of the nodes before and after the half point, along X and along Y.
-template <class Field>
-PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& before,
-                                 const Field& behind, const Field& before_across, const Field& behind_across, int i,
-                                 int j, const HalfInverseSquares& half) {
-  const double west = 2.0 * half.X * (P(i - 1, j) - P(i, j));
-  const double east = 2.0 * half.X * (P(i + 1, j) - P(i, j));
-  const double south = 2.0 * half.Y * (P(i, j - 1) - P(i, j));
-  const double north = 2.0 * half.Y * (P(i, j + 1) - P(i, j));
-  return {.far_west = held.far_west,
-          .west = held.west - west * before(i - 1, j),
-          .own = held.own - west * behind(i - 1, j) - east * before(i, j) - south * behind_across(i, j - 1) -
-                 north * before_across(i, j),
-          .east = held.east - east * behind(i, j),
-          .south = held.south - south * before_across(i, j - 1),
-          .north = held.north - north * behind_across(i, j)};
-}
-
-/// poiseuille() of the pressures around node (i, j).
-template <class Field>
-double poiseuille_at(const Faces<double>& e, const Field& P, int i, int j) {
-  return poiseuille(e, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));
 }
 
 }  // namespace ehl::reynolds
