@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "judgement/stopping.hpp"
 #include "multigrid/record.hpp"
@@ -33,20 +34,17 @@ struct CyclesResult {
   CyclesEnd end = CyclesEnd::converged;
   std::string unmet{};  ///< the check that failed last, or how the cycles diverged; empty if converged
   int cycles = 0;
-  Damping damping{};            ///< damping at the end
-  judgement::LastCycle last{};  ///< the last one that was judged
+  Damping damping{};                    ///< damping at the end
+  judgement::LastCycle last{};          ///< the last one that was judged
+  std::vector<std::string> remedies{};  ///< what the cycles needed, by the names in cycle_control.cpp
 };
 
 /// FAS cycles on level l, from its present state, until the criterion holds; with Aim::solution and the mass-conserving
-/// cavitation model until the global oil balance holds as well. Remedies:
-/// - a slow cycle (Tuning::rough_factor): a relaxation after the correction if there is none, else on square cells a Y
-///   sweep and, above the first grid, weighted corrections and W cycles; from then on Krylov acceleration
-///   (acceleration.hpp), where can_relax_across() [bench: krylov_states];
-/// - a residual that rises or hardly falls: a smaller weight where epsilon is steep, then smaller weights everywhere;
-/// - a state that is not finite, or hopeless: back to the initial state, with smaller weights everywhere; if none of
-///   them help, the level is left in its initial state;
-/// - fast cycles on stretched cells: a larger weight where epsilon is steep.
-/// in: the initial damping.
+/// cavitation model until the global oil balance holds as well. After every cycle a table of rules (cycle_control.cpp)
+/// says what to change for the next one. Slow cycles (Tuning::rough_factor) also ask for Krylov acceleration
+/// (acceleration.hpp), where can_relax_across() [bench: krylov_states]. A cycle that ends in a state that is not
+/// finite, or hopeless, is followed by a restart from the initial state with smaller weights; if none of them help, the
+/// level is left in its initial state. in: the initial damping.
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Damping& damping, const CycleObserver& observe);
 

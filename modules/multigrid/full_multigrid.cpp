@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/errors.hpp"
 #include "judgement/error_estimate.hpp"
+#include "multigrid/cycle_control.hpp"
 #include "multigrid/start.hpp"
 
 namespace ehl::multigrid {
@@ -57,6 +59,13 @@ double mean_factor(const std::vector<double>& residuals) {
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
 
+CyclesResult run_cycles(Run& run, std::size_t l, const StoppingCriterion& criterion, const CycleObserver& observe) {
+  CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.damping, observe);
+  run.damping = result.damping;
+  for (const std::string& one : result.remedies) note(one, run.remedies);
+  return result;
+}
+
 /// The mass-conserving model starts from a flooded solution; the supply is then reduced in steps, and the meniscus
 /// recedes with it. [bench: supply_steps]
 void reduce_supply(Run& run) {
@@ -67,9 +76,7 @@ void reduce_supply(Run& run) {
   const int planned = tuning.cycles_per_supply;
   const StoppingCriterion criterion{.aim = Aim::first_start, .planned = planned, .most = planned};
   const auto cycles = [&] {
-    const CyclesResult result =
-        run_cycles(hierarchy, l, criterion, run.damping, [](int, const Measures&) { return DiscretizationError{}; });
-    run.damping = result.damping;
+    run_cycles(run, l, criterion, [](int, const Measures&) { return DiscretizationError{}; });
   };
   cycles();
   run.damping = run.plan.above;  // damped relaxations keep a meniscus from its position
@@ -88,43 +95,48 @@ void reduce_supply(Run& run) {
   supply_oil(hierarchy, level);
 }
 
-void solve_first_level(Run& run) {
-  RowTimer timer(run);
+void start_first_level(Run& run, std::size_t l) {
   const Plan& plan = run.plan;
   run.damping = plan.at_first;
   const bool conserves = reynolds::conserves(run.hierarchy.problem.cavitation);
   if (conserves) run.hierarchy.least_supply = std::numeric_limits<double>::infinity();
-  start_from_hertz(run.hierarchy, plan.first, plan.H00, plan.sweeps, cautious(run.hierarchy.parameters, run.damping));
+  start_from_hertz(run.hierarchy, l, plan.H00, plan.sweeps, cautious(run.hierarchy.parameters, run.damping));
   if (conserves) reduce_supply(run);
-  solve_level(run, plan.first);
-  run.damping = plan.above;
-  timer.stop();
 }
 
 }  // namespace
 
-void full_multigrid(Run& run) {
-  solve_first_level(run);
-  solve_finer_levels(run, run.plan.first);
-}
-
-void solve_finer_levels(Run& run, std::size_t from) {
-  Hierarchy& hierarchy = run.hierarchy;
-  const double order = reynolds::order(hierarchy.problem.transport.wedge);
-  State two_below;  // empty if it must not be used for extrapolation
-  for (std::size_t l = from + 1; l <= run.finest(); ++l) {
+void for_levels(Run& run, std::size_t from, std::size_t end, const LevelStep& begin, const LevelStep& solve) {
+  run.two_below = {};
+  for (std::size_t l = from; l < end; ++l) {
     RowTimer timer(run);
-    // A coarse solution with a negative film is not extrapolated.
-    const bool holds = run.record.levels.back().Hm > 0.0;
-    State below = state_of(hierarchy, l - 1);
-    if (two_below.P.nodes_x() > 0 && holds)
-      start_from_two_coarser(hierarchy, l, two_below, order);
-    else
-      start_from_coarser(hierarchy, l);
-    two_below = holds ? std::move(below) : State{};
-    solve_level(run, l);
+    begin(run, l);
+    solve(run, l);
     timer.stop();
   }
+}
+
+void start_from_below(Run& run, std::size_t l) {
+  Hierarchy& hierarchy = run.hierarchy;
+  // A coarse solution with a negative film is not extrapolated.
+  const bool holds = run.record.levels.back().Hm > 0.0;
+  State below = state_of(hierarchy, l - 1);
+  if (run.two_below.P.nodes_x() > 0 && holds)
+    start_from_two_coarser(hierarchy, l, run.two_below, reynolds::order(hierarchy.problem.transport.wedge));
+  else
+    start_from_coarser(hierarchy, l);
+  run.two_below = holds ? std::move(below) : State{};
+}
+
+void full_multigrid(Run& run) {
+  const LevelStep begin = [](Run& one, std::size_t l) {
+    l == one.plan.first ? start_first_level(one, l) : start_from_below(one, l);
+  };
+  const LevelStep solve = [](Run& one, std::size_t l) {
+    solve_level(one, l);
+    if (l == one.plan.first) one.damping = one.plan.above;
+  };
+  for_levels(run, run.plan.first, run.hierarchy.levels.size(), begin, solve);
 }
 
 void solve_level(Run& run, std::size_t l) {
@@ -142,8 +154,7 @@ void solve_level(Run& run, std::size_t l) {
     residuals.push_back(now.residual);
     return error_known_of(run, l, now.Hm);
   };
-  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.damping, after_cycle);
-  run.damping = result.damping;
+  const CyclesResult result = run_cycles(run, l, criterion, after_cycle);
   record.verification = verification_of(run.hierarchy.parameters.judgement, result.last);
   const std::string where = name_of_level(run.hierarchy, l) + ": ";
   if (result.end == CyclesEnd::diverged) throw core::SolverError(where + result.unmet);

@@ -1,6 +1,7 @@
 #pragma once
 // The full multigrid solve: from a first solution on a coarse grid to the finest grid.
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/timer.hpp"
@@ -32,6 +33,8 @@ struct Run {
   LevelObserver observer{};  ///< may be empty
   Damping damping{};         ///< damping that was needed so far
   Record record{};
+  State two_below{};  ///< solution two levels below the next one; empty: not to be used for extrapolation
+  std::vector<std::string> remedies{};  ///< what the cycles of all levels needed (CyclesResult::remedies)
 
   std::size_t finest() const { return hierarchy.levels.size() - 1; }
 };
@@ -40,26 +43,36 @@ struct Run {
 class RowTimer {
  public:
   explicit RowTimer(Run& run) : run_(run), began_(core::now()) { forget_work(run.hierarchy); }
-  /// Enters the seconds since construction in the last row.
-  void stop() { run_.record.levels.back().seconds = core::now() - began_; }
+  /// Enters the seconds since construction in the last row, if there is one.
+  void stop() {
+    if (!run_.record.levels.empty()) run_.record.levels.back().seconds = core::now() - began_;
+  }
 
  private:
   Run& run_;
   double began_;
 };
 
-/// The full multigrid solve. The first grid starts from the Hertz pressure, every finer one from the solution of the
-/// grid below. Each level takes cycles until its stopping criterion holds:
+/// Work on one level of a run.
+using LevelStep = std::function<void(Run& run, std::size_t l)>;
+/// The loop over the levels from `from` to below `end`: `begin` makes the initial state of a level; `solve` solves it
+/// and adds its row to the record, which is timed.
+void for_levels(Run& run, std::size_t from, std::size_t end, const LevelStep& begin, const LevelStep& solve);
+
+/// A `begin`: from the solution on the level below; extrapolated from two levels below if the loop has solved both.
+void start_from_below(Run& run, std::size_t l);
+
+/// A `solve`: cycles on level l from its present state until its stopping criterion holds; adds a row to the record.
 /// - first grid: its film has settled;
 /// - finest grid: all checks are met, or the tolerance; max_cycles at most;
 /// - other grids: parameters.cycles, and up to extra_cycles more if Hc or Hm need them;
 /// - mass-conserving cavitation model, all grids below the finest: in addition the residual must be low, with more
 ///   cycles allowed.
 /// errors: core::SolverError if the cycles diverge; core::Interrupted.
-void full_multigrid(Run& run);
-/// Solves the levels above `from`, whose solution exists.
-void solve_finer_levels(Run& run, std::size_t from);
-/// Cycles on level l from its present state until its stopping criterion holds; adds a row to the record.
 void solve_level(Run& run, std::size_t l);
+
+/// The full multigrid solve: the first grid from the Hertz pressure, every finer one from the solutions below it.
+/// errors: as solve_level().
+void full_multigrid(Run& run);
 
 }  // namespace ehl::multigrid

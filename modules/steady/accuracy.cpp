@@ -116,7 +116,7 @@ Solution refined(const Scene& finer, const Solution& coarser, const ProgressCall
   run.record.history = coarser.history;
   run.plan.first = l;
   multigrid::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.levels[l].grid, coarser.P), coarser.H00});
-  multigrid::solve_finer_levels(run, l);
+  multigrid::for_levels(run, l + 1, run.hierarchy.levels.size(), multigrid::start_from_below, multigrid::solve_level);
   Solution solution = end_multigrid(finer, std::move(run));
   solution.method = coarser.method;
   solution.path = coarser.path;

@@ -9,7 +9,6 @@
 
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
-#include "core/timer.hpp"
 #include "multigrid/start.hpp"
 #include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
@@ -169,14 +168,13 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
 // discretization error needs it. If that grid has no solution there is no estimate.
 void solve_level_below(multigrid::Run& run, std::size_t l, const multigrid::State& solved) {
   if (l == 0) return;
-  multigrid::State below{core::Field(run.hierarchy.levels[l - 1].grid), solved.H00};
-  transfer::restrict_injection(solved.P, below.P);
-  multigrid::forget_work(run.hierarchy);
-  multigrid::start_from_state(run.hierarchy, l - 1, below);
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t below) {
+    multigrid::State start{core::Field(run.hierarchy.levels[below].grid), solved.H00};
+    transfer::restrict_injection(solved.P, start.P);
+    multigrid::start_from_state(run.hierarchy, below, start);
+  };
   try {
-    const double began = core::now();
-    multigrid::solve_level(run, l - 1);
-    run.record.levels.back().seconds = core::now() - began;
+    multigrid::for_levels(run, l - 1, l, begin, multigrid::solve_level);
   } catch (const core::SolverError&) {
     run.record.levels.clear();
   }
@@ -228,12 +226,10 @@ Solution solve_by_continuation(const Scene& scene, const Start& start,
                                   run.damping, run.hierarchy.times);
   const multigrid::State solved{core::on_patch(run.hierarchy.levels[l].grid, last.state.P), last.state.H00};
   solve_level_below(run, l, solved);
-  multigrid::forget_work(run.hierarchy);
-  multigrid::start_from_state(run.hierarchy, l, solved);
-  const double began = core::now();
-  multigrid::solve_level(run, l);
-  run.record.levels.back().seconds = core::now() - began;
-  multigrid::solve_finer_levels(run, l);
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t k) {
+    k == l ? multigrid::start_from_state(run.hierarchy, l, solved) : multigrid::start_from_below(run, k);
+  };
+  multigrid::for_levels(run, l, run.hierarchy.levels.size(), begin, multigrid::solve_level);
   return end_multigrid(scene, std::move(run));
 }
 

@@ -214,6 +214,7 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
   solution.deformation = finest.deformation.description();
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
+  solution.remedies = std::move(run.remedies);
   solution.verification = record.verification;
   if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && !scene.has_factors &&
       !scene.supply)

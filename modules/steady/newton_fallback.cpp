@@ -86,19 +86,17 @@ void solve_levels_below(const Scene& scene, multigrid::Run& run) {
     transfer::restrict_injection(l == finest ? run.hierarchy.finest().P : injected.end()[-2], injected.back());
   }
   const double H00 = run.hierarchy.H00;
-  for (std::size_t k = injected.size(); k > 0; --k) {
-    multigrid::RowTimer timer(run);
-    const std::size_t l = finest - k;
-    multigrid::start_from_state(run.hierarchy, l, {injected[k - 1], H00});
-    if (!solve_level_by_newton(scene, run, l, scene.tuning.newton_on_the_way).converged) {
-      run.record.levels.clear();
-      continue;
-    }
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t l) {
+    multigrid::start_from_state(run.hierarchy, l, {injected[finest - l - 1], H00});
+  };
+  const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
+    if (!solve_level_by_newton(scene, run, l, scene.tuning.newton_on_the_way).converged)
+      return run.record.levels.clear();
     run.record.levels.emplace_back();
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
     multigrid::observe(run, l);
-    timer.stop();
-  }
+  };
+  multigrid::for_levels(run, finest - injected.size(), finest, begin, solve);
 }
 
 }  // namespace
@@ -143,13 +141,16 @@ Solution refine_by_newton(const Scene& scene, const Start& start, const Solution
 Solution follow_by_newton(const Scene& scene, const Start& start, const Solution& before,
                           const ProgressCallback& progress) {
   multigrid::Run run = begin_multigrid(scene, start, progress);
-  multigrid::RowTimer timer(run);
-  const std::size_t l = run.finest();
-  multigrid::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.finest().grid, before.P), before.H00});
-  run.record.levels.emplace_back();
-  const newton::Result result = solve_level_by_newton(scene, run, l, scene.solver.tolerance);
-  judge(scene, run, result.converged, result.reason);
-  timer.stop();
+  newton::Result result{};
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t l) {
+    multigrid::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.finest().grid, before.P), before.H00});
+  };
+  const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
+    run.record.levels.emplace_back();
+    result = solve_level_by_newton(scene, run, l, scene.solver.tolerance);
+    judge(scene, run, result.converged, result.reason);
+  };
+  multigrid::for_levels(run, run.finest(), run.hierarchy.levels.size(), begin, solve);
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
   return solution;
@@ -157,35 +158,30 @@ Solution follow_by_newton(const Scene& scene, const Start& start, const Solution
 
 Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   multigrid::Run run = begin_multigrid(scene, start, progress);
-  bool solved = false;
+  newton::Result last{};
   std::string last_reason;
-  std::vector<newton::Step> steps;
-  for (std::size_t l = run.plan.first; l <= run.finest(); ++l) {
-    multigrid::RowTimer timer(run);
-    if (solved)
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t l) {
+    // A negative film on a coarse grid is no solution of the contact, but a good start for the next grid.
+    if (last.equations_met)
       multigrid::start_from_coarser(run.hierarchy, l);
     else if (run.hierarchy.levels[l].grid.nx <= scene.tuning.finest_from_hertz)
       multigrid::start_from_hertz(run.hierarchy, l, first_H00(scene), 0);
     else
       throw core::SolverError("the Newton fallback solved no grid that is coarse enough to start from" +
                               (last_reason.empty() ? "" : "; " + last_reason));
+  };
+  const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
     const bool last_level = l == run.finest();
     run.record.levels.emplace_back();
-    const newton::Result result =
-        solve_level_by_newton(scene, run, l, last_level ? final_tolerance(scene) : scene.tuning.newton_on_the_way);
-    // A negative film on a coarse grid is no solution of the contact, but a good start for the next grid.
-    solved = result.equations_met;
-    steps = result.steps;
-    last_reason = multigrid::name_of_level(run.hierarchy, l) + ": " + result.reason;
+    last = solve_level_by_newton(scene, run, l, last_level ? final_tolerance(scene) : scene.tuning.newton_on_the_way);
+    last_reason = multigrid::name_of_level(run.hierarchy, l) + ": " + last.reason;
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
     multigrid::observe(run, l);
-    if (last_level) {
-      judge(scene, run, result.converged, last_reason);
-    }
-    timer.stop();
-  }
+    if (last_level) judge(scene, run, last.converged, last_reason);
+  };
+  multigrid::for_levels(run, run.plan.first, run.hierarchy.levels.size(), begin, solve);
   Solution solution = solution_of(scene, std::move(run));
-  solution.newton = std::move(steps);
+  solution.newton = std::move(last.steps);
   return solution;
 }
 

@@ -47,9 +47,11 @@ std::function<double(double Y)> supply_of(const core::Grid& grid, std::vector<do
 // Cycles from the state of the previous pass.
 Solution cycles_from(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   multigrid::Run run = begin_multigrid(scene, restart, progress);
-  const core::Patch& grid = run.hierarchy.finest().grid;
-  multigrid::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, before.P), before.H00});
-  multigrid::solve_level(run, run.finest());
+  const multigrid::LevelStep begin = [&](multigrid::Run&, std::size_t l) {
+    const core::Patch& grid = run.hierarchy.levels[l].grid;
+    multigrid::start_from_state(run.hierarchy, l, {core::on_patch(grid, before.P), before.H00});
+  };
+  multigrid::for_levels(run, run.finest(), run.hierarchy.levels.size(), begin, multigrid::solve_level);
   if (!run.record.converged) multigrid::balance_mass(run.hierarchy, run.hierarchy.finest());
   return solution_of(scene, std::move(run));
 }

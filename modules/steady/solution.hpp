@@ -77,6 +77,7 @@ struct Solution {
   std::string method;                    ///< the strategy that led to this result
   std::string path = "none";             ///< the same as a code for scripts and plots (Attempt::path)
   std::vector<Attempt> attempts;
+  std::vector<std::string> remedies;  ///< what slow cycles of this result needed, by the names in cycle_control.cpp
   std::vector<ContinuationStep> continuation;
   std::vector<newton::Step> newton;  ///< on the finest grid
   std::string polish_failure;        ///< why the Newton refinement did not reach rounding errors

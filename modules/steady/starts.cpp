@@ -1,35 +1,32 @@
 #include "steady/starts.hpp"
 
-#include <iterator>
-#include <span>
-
-#include "steady/multigrid_solve.hpp"
-
 namespace ehl::steady {
 namespace {
 
-/// The first start is fast and works for most contacts. The later ones begin on a finer grid, which resolves the
-/// contact better, keep a finer coarsest grid, and are more strongly damped.
-constexpr Start starts[] = {
-    {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7, .damping = 1.0},
-    {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .damping_at_first = 0.5, .damping = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7, .damping = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .damping_at_first = 0.7, .damping = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.7, .damping = 0.7},
-    {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.5, .damping = 0.7},
-};
-/// The first start to try if the first grid of the earlier ones does not resolve the contact.
-constexpr std::size_t start_of_heavy = 2;
+/// Fast, and sufficient for most contacts.
+constexpr Start usual = {
+    .cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7};
+constexpr Start more_cycles = {
+    .cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .damping_at_first = 0.5};
+/// These begin on a finer grid, which resolves the contact better, keep a finer coarsest grid, and are more strongly
+/// damped.
+constexpr Start finer = {
+    .cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .damping_at_first = 0.7};
+constexpr Start finer_coarsest = {
+    .cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .damping_at_first = 0.7};
+constexpr Start damped = {
+    .cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.7, .damping = 0.7};
+constexpr Start finest = {
+    .cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .damping_at_first = 0.5, .damping = 0.7};
 
-/// The first start of a line contact, for which a finer first grid costs little. [bench: start_of_line]
-constexpr Start start_of_line = {
+/// Line contacts, for which a finer first grid costs little. [bench: start_of_line]
+constexpr Start of_line = {
     .cells = 64, .sweeps = 40, .cycles = 6, .balances = 10, .damping_at_first = 0.5, .damping = 0.9, .coarseness = 9.0};
-
 /// Heavily loaded line contacts with a steep edge: coarse grids do not resolve their film zones, so that the
 /// corrections are poor and more relaxations are needed. [bench: starts_of_heavy_lines]
 constexpr int most_relaxations = 4;
-constexpr Start start_of_heavy_line(int pre, int post) {
-  Start start = start_of_line;
+constexpr Start of_heavy_line(int pre, int post) {
+  Start start = of_line;
   start.cycles = 4;
   start.damping_at_first = 0.4;
   start.damping = 0.7;
@@ -37,12 +34,9 @@ constexpr Start start_of_heavy_line(int pre, int post) {
   start.post = post;
   return start;
 }
-constexpr Start starts_of_heavy_lines[] = {start_of_heavy_line(3, 2),
-                                           start_of_heavy_line(most_relaxations, most_relaxations)};
-
 /// Ellipses: the film beside a heavily loaded slender or oblique contact is too thin for the first grids of the other
 /// starts. On a coarser grid the relaxations of the Hertz pressure themselves diverge.
-constexpr Start start_of_ellipse(double damping_at_first) {
+constexpr Start of_ellipse(double damping_at_first) {
   return {.cells = 128,
           .sweeps = 20,
           .cycles = 12,
@@ -51,28 +45,54 @@ constexpr Start start_of_ellipse(double damping_at_first) {
           .across = true,
           .coarseness = 4.5};
 }
-constexpr Start starts_of_ellipses[] = {start_of_ellipse(0.5), start_of_ellipse(0.35)};
+
+bool always(const Features&) { return true; }
+bool resolved(const Features& is) { return is.resolved; }
+bool not_resolved(const Features& is) { return !is.resolved; }
+bool ellipse(const Features& is) { return !is.line && !is.circular; }
+bool heavy_line(const Features& is) { return is.line && !is.resolved && is.steep_for_line; }
+bool other_line(const Features& is) { return is.line && !heavy_line(is); }
+
+// The table of starts. Those whose condition holds are tried from top to bottom until one succeeds.
+struct Row {
+  bool (*when)(const Features& is);
+  Start start;
+};
+constexpr Row table[] = {
+    {other_line, of_line},
+    {heavy_line, of_heavy_line(3, 2)},
+    {heavy_line, of_heavy_line(most_relaxations, most_relaxations)},
+    {resolved, usual},
+    {not_resolved, finer},
+    {ellipse, of_ellipse(0.5)},
+    {ellipse, of_ellipse(0.35)},
+    {resolved, more_cycles},
+    {resolved, finer},
+    {always, finer_coarsest},
+    {always, damped},
+    {always, finest},
+};
+
+/// True if a later start begins on a finer grid than the scene has: it does not differ from the earlier ones.
+bool beyond_finest_grid(const Scene& scene, const Start& start) {
+  return start.coarseness == 0.0 && start.cells * scene.contact.slenderness > scene.grid.nx * core::stretch(scene.grid);
+}
 
 }  // namespace
 
 std::vector<Start> starts_of(const Scene& scene) {
-  const std::span<const Start> all(starts);
-  const bool held = held_by(starts[0].cells, scene);
-  const auto usual = all.subspan(held ? 0 : start_of_heavy);
-  std::vector<Start> list(usual.begin(), usual.end());
-  if (!scene.grid.line) {
-    if (!contact::circular(scene.contact.shape))
-      list.insert(list.begin() + 1, std::begin(starts_of_ellipses), std::end(starts_of_ellipses));
-  } else if (held || log_viscosity_at_edge(scene) < scene.tuning.steep_log_viscosity_of_line) {
-    list.insert(list.begin(), start_of_line);
-  } else {
-    for (Start& start : list) start.pre = start.post = most_relaxations;
-    list.insert(list.begin(), std::begin(starts_of_heavy_lines), std::end(starts_of_heavy_lines));
+  const Features is = features_of(scene);
+  std::vector<Start> list;
+  for (const auto& [when, start] : table) {
+    if (!when(is)) continue;
+    if (list.size() >= 2 && beyond_finest_grid(scene, start)) break;
+    list.push_back(start);
+    if (heavy_line(is) && start.pre == 0) list.back().pre = list.back().post = most_relaxations;
   }
   return list;
 }
 
-const Start& usual_start() { return starts[0]; }
-const Start& safe_start() { return starts[3]; }
+const Start& usual_start() { return usual; }
+const Start& safe_start() { return finer_coarsest; }
 
 }  // namespace ehl::steady

@@ -7,7 +7,7 @@
 
 namespace ehl::steady {
 
-/// Starts of the full multigrid from the Hertz pressure, in the order in which they are tried.
+/// Starts of the full multigrid from the Hertz pressure, in the order in which they are tried (starts.cpp).
 std::vector<Start> starts_of(const Scene& scene);
 
 /// The start for Newton's method.

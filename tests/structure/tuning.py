@@ -4,8 +4,8 @@
   tuning.py --write   writes the table of names and meanings (tuning.cpp) of every module from its tuning.hpp
   tuning.py           checks: exit status 1 with one line per finding
 
-The checks: the tables agree with the headers; every number has its row in tests/bench/tuning.csv; there are no more
-numbers than counted below; and no other file of these modules has a constant that the lists below do not name.
+The checks: the tables agree with the headers; every number and every rule has its row in tests/bench/tuning.csv; there
+are no more numbers than counted below; and no other file of these modules has a constant that the lists below do not name.
 """
 import pathlib
 import re
@@ -37,10 +37,10 @@ NOT_TUNED = {
         "most_nodes_of_ellipse": "cost", "in_proportion": "no better derivative", "fewest_cells": "symmetric half",
         "tolerance_at_rounding": "rounding", "tolerance_of_rounding": "rounding",
         "levels_of_an_estimate": "grids of an estimate", "restart": "a start", "faster": "difference quotient",
-        "share_of_line": "fit of the expected film", "share_of_flooded": "display", "starts": "a start",
-        "start_of_heavy": "a start", "start_of_line": "a start", "most_relaxations": "a start",
-        "start_of_heavy_line": "a start", "starts_of_heavy_lines": "a start", "start_of_ellipse": "a start",
-        "starts_of_ellipses": "a start", "hardly_an_error": "definition of a warning",
+        "share_of_line": "fit of the expected film", "share_of_flooded": "display", "usual": "a start",
+        "more_cycles": "a start", "finer": "a start", "finer_coarsest": "a start", "damped": "a start",
+        "finest": "a start", "of_line": "a start", "most_relaxations": "a start", "of_heavy_line": "a start",
+        "of_ellipse": "a start", "hardly_an_error": "definition of a warning",
         "unresolved_film": "definition of a warning", "most_nodes_of_newton": "memory",
         "most_nodes_of_second_newton": "time", "directions": "quadrature", "steps": "quadrature",
     },
@@ -64,6 +64,7 @@ WITH_PREFIX = ("newton", "transient", "heat")
 
 NUMBER = re.compile(r"^  core::(Share|Reduction|Growth|Positive|Count) (\w+) = ([^;]+);\s*///< (.*)$")
 BENCH = re.compile(r"\s*\[bench: (\w+)\]")
+RULE = re.compile(r'^    \{"(\w+)",', re.M)
 CONSTANT = re.compile(
     r"^\s*(?:inline |static )*constexpr (?:double|float|int|long|unsigned|std::size_t|Start)(?:<[^>]*>)? (.*)$")
 
@@ -140,6 +141,10 @@ def findings(header):
     for name, where in found:
         if name not in allowed:
             yield f"{where}: {name} is a constant: a tuned number belongs to {place}"
+    for path in sorted(header.parent.glob("*.cpp")):  # tables of rules whose names are rows
+        for name in RULE.findall(path.read_text()) if "The names are rows of" in path.read_text() else []:
+            if name not in rows:
+                yield f"{path.relative_to(ROOT)}: rule {name}: tests/bench/tuning.csv has no such row"
     for name in allowed.keys() - {name for name, _ in found}:
         yield f"tests/structure/tuning.py: {name} of {module} is gone: remove it from NOT_TUNED"
 
