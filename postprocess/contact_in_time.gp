@@ -29,12 +29,12 @@ end = T_max > T_min ? T(T_max) : begin + 1
 first_lines(name) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, 0), points, left, right)
 
 # A map has the shape of its window, within limits.
-tall = plane ? (wide - m(129)) * 2 * far / (right - left) : 0
+tall = plane ? (wide - m(131)) * 2 * far / (right - left) : 0
 tall = tall < m(15) ? m(15) : tall > m(90) ? m(90) : tall
 high = plane ? m(80 + top) + tall : m(70 + top)
-course = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(9), high - m(29)); unset title; unset colorbox"
-lines = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(40), high - m(69))"
-maps = "eval box(panel == 1 ? m(17) : m(114), panel == 1 ? m(112) : m(15), m(78), m(top + 2))"
+course = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(9), high - m(29)); unset title; unset colorbox"
+lines = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(40), high - m(69))"
+maps = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(78), m(top + 2))"
 eval page
 do for [shown in shown_frames] {
   frame = int(shown)
@@ -58,7 +58,7 @@ do for [shown in shown_frames] {
       eval "set palette ".(panel == 1 ? film_colours : pressure_colours)
       set cbrange [panel == 1 ? (M_min > 0 ? inner(low, M_min) : low) : 0:panel == 1 ? highest : tallest]
       if (panel == 1 && far_apart) { set logscale cb; set format cb "10^{%L}" } else { unset logscale cb; set format cb "%g" }
-      set colorbox user origin screen (panel == 1 ? wide - m(111) : wide - m(14)) / wide, m(78) / high size screen m(2.5) / wide, tall / high
+      set colorbox user origin screen (wide - (panel == 1 ? m(113) : m(18))) / wide, m(78) / high size screen m(2.5) / wide, tall / high
       plot field(name, points / 2) matrix nonuniform using 1:2:3 with image
       unset colorbox
     }
@@ -76,8 +76,10 @@ do for [shown in shown_frames] {
     set xrange [begin:end]
     set xtics auto
     set arrow 1 from first now, graph 0 to first now, graph 1 nohead front lw 0.8 dt 2 lc rgb "#444444"
-    set yrange [panel == 1 ? below_zero(M_min) : 0:panel == 1 ? (C_max > M_max ? 1.05 * C_max : 1.05 * M_max) : tallest]
-    if (panel == 1 && M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set yrange [0.8 * M_min:1.2 * C_max] }
+    top_of_course = panel == 1 ? 1.05 * greater(C_max, M_max) : tallest
+    set yrange [panel == 1 ? below_zero(M_min) : 0:top_of_course]
+    set ytics steps_of(top_of_course)
+    if (panel == 1 && M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set ytics auto; set yrange [0.8 * M_min:1.2 * C_max] }
     if (panel == 1) {
       set key bottom right
       plot $course using (T($1)):2 with lines lw 1 lc rgb blue title "centre", \

@@ -87,8 +87,9 @@ std::vector<Task> tasks_of(const FigureSource& source, const Arguments& argument
   return tasks;
 }
 
-// The SVG of each task; empty if gnuplot failed. out: the reasons.
-std::set<std::string> draw(const Gnuplot& gnuplot, const std::vector<Task>& tasks, std::vector<std::string>& drawn) {
+// The SVG of each task; empty if gnuplot failed. in: in_si: the contact is in SI. out: the reasons.
+std::set<std::string> draw(const Gnuplot& gnuplot, bool in_si, const std::vector<Task>& tasks,
+                           std::vector<std::string>& drawn) {
   std::set<std::string> reasons;
   std::vector<std::size_t> all(tasks.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -96,6 +97,7 @@ std::set<std::string> draw(const Gnuplot& gnuplot, const std::vector<Task>& task
   calls.stop = stop_requested;
   calls.task = [&](std::size_t k, const Say&) {
     std::vector<Setting> own{{"title", ""}, {"when", ""}, {"points", points_on_page, false}};
+    if (in_si) own.push_back({"seconds", "1", false});  // the slider and the tables are in ms
     own.insert(own.end(), tasks[k].own.begin(), tasks[k].own.end());
     const MemoryFile picture;
     gnuplot.draw(tasks[k].figure, own, picture.name(), tasks[k].curves ? &*tasks[k].curves : nullptr);
@@ -138,12 +140,13 @@ DrawnFigures arranged(const std::vector<Task>& tasks, std::size_t number, std::v
 
 DrawnFigures figures_for_page(const std::string& path, std::size_t number, const Arguments& arguments) {
   const FigureSource source = source_of(path, arguments);
+  const bool in_si = std::ranges::find(source.settings, "si", &Setting::name) != source.settings.end();
   DrawnFigures made;
   std::set<std::string> reasons, failed;
   try {
     const std::vector<Task> tasks = tasks_of(source, arguments);
     std::vector<std::string> drawn(tasks.size());
-    reasons = draw(Gnuplot(path, source, "svg"), tasks, drawn);
+    reasons = draw(Gnuplot(path, source, "svg"), in_si, tasks, drawn);
     made = arranged(tasks, number, drawn, reasons);
     for (std::size_t k = 0; k < tasks.size(); ++k)
       if (drawn[k].empty()) failed.insert(tasks[k].figure.name);
