@@ -83,7 +83,8 @@ std::string normal(std::string text, Numbers numbers, const std::vector<Place>& 
       {"x86-64(-v[0-9])?", "LEVEL"},
       {"[0-9]+ threads?", "N threads"}};
   for (const auto& [pattern, name] : patterns) text = std::regex_replace(text, std::regex(pattern), name);
-  return numbers == Numbers::replaced ? without_numbers(text) : text;
+  if (numbers == Numbers::replaced) return without_numbers(text);
+  return std::regex_replace(text, std::regex(" in [0-9.]+ s\\b"), " in # s");
 }
 
 }  // namespace golden

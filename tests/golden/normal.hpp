@@ -7,7 +7,7 @@ namespace golden {
 
 /// Which numbers of a text are compared.
 enum class Numbers {
-  kept,     ///< all: the command computes nothing
+  kept,     ///< all but times, "in 0.3 s": the command computes nothing
   replaced  ///< none but counts of nodes, "65 x 65", and lines of a file, "d.ini:17": the command computes
 };
 
