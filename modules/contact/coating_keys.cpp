@@ -3,11 +3,11 @@
 
 #include "contact/coatings.hpp"
 #include "contact/hertz.hpp"
+#include "deck/record.hpp"
 
 namespace ehl::contact {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // The kernel of a coating is accurate up to this ratio of moduli.
 constexpr double largest_ratio = 1000.0;
 
@@ -19,27 +19,19 @@ std::vector<std::string> names_of(const std::string& body) {
 }  // namespace
 
 std::vector<deck::Key> coating_keys() {
+  using namespace deck::record;
   std::vector<deck::Key> keys;
   for (const std::string body : {"1", "2"}) {
     const std::vector<std::string> names = names_of(body);
-    keys.push_back({.name = names[0],
-                    .unit = "Pa",
-                    .range = {0.0, infinity, true, true},
-                    .meaning = "Young's modulus of an elastic coating bonded to body " + body +
-                               ". Give it with its nu and thickness, and E1, nu1, E2 and nu2 of the bodies below. The "
-                               "scales E', a, p_h, M and L are then those of uncoated bodies that yield about as much.",
-                    .source = "O'Sullivan and King 1988; Nogi and Kato 1997",
-                    .example = "300e9"});
-    keys.push_back({.name = names[1],
-                    .range = {-1.0, 0.5, true, false},
-                    .meaning = "Poisson's ratio of the coating of body " + body + ".",
-                    .example = "0.2"});
-    keys.push_back({.name = names[2],
-                    .unit = "m",
-                    .range = {0.0, 1.0, true, false},
-                    .remedy = "2 um are 2e-6",
-                    .meaning = "Thickness of the coating of body " + body + ".",
-                    .example = "2e-6"});
+    keys.push_back(key(names[0], unit("Pa"), positive, example("300e9"),
+                       "Young's modulus of an elastic coating bonded to body " + body +
+                           ". Give it with its nu and thickness, and E1, nu1, E2 and nu2 of the bodies below. The "
+                           "scales E', a, p_h, M and L are then those of uncoated bodies that yield about as much.",
+                       source("O'Sullivan and King 1988; Nogi and Kato 1997")));
+    keys.push_back(key(names[1], Range{-1.0, 0.5, true, false}, example("0.2"),
+                       "Poisson's ratio of the coating of body " + body + "."));
+    keys.push_back(key(names[2], unit("m"), up_to(1.0), example("2e-6"),
+                       "Thickness of the coating of body " + body + ".", remedy("2 um are 2e-6")));
   }
   return keys;
 }
@@ -57,9 +49,10 @@ std::vector<kernel::Coating> read_coatings(const deck::Part& contact) {
     const kernel::Material layer{number(names[0]), number(names[1])};
     if (const double ratio = layer.E / own.E; ratio > largest_ratio || ratio < 1.0 / largest_ratio)
       contact.complain(
-          names[0], fmt::format("is {:.4g} times the modulus of its body, which must be between {:g} and {:g}: check "
-                                "the units (Pa)",
-                                ratio, 1.0 / largest_ratio, largest_ratio));
+          names[0],
+          fmt::format(
+              "is {:.4g} times the modulus of its body, which must be between {:g} and {:g}: check the units (Pa)",
+              ratio, 1.0 / largest_ratio, largest_ratio));
     if (layer.E == own.E && layer.nu == own.nu) continue;
     coatings.push_back({.coating = layer,
                         .body = own,

@@ -9,129 +9,86 @@
 
 #include "contact/coatings.hpp"
 #include "contact/hertz.hpp"
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 
 namespace ehl::contact {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr deck::Range positive{0.0, infinity, true, true};
 // Range for machined surfaces [m]; a larger value was probably meant in another unit.
 constexpr deck::Range roughness{0.0, 1e-4, true, false};
 
-std::vector<deck::Key> dimensionless_keys() {
+deck::Records<Input> dimensionless_records() {
+  using namespace deck::record;
   return {
-      {.name = "kind",
-       .default_text = "point",
-       .words = {"point", "line", "roller"},
-       .meaning = "Kind of contact. point: a circle or an ellipse. line: long bodies, straight across the motion, such "
-                  "as gear teeth and cams; nothing varies along y, and forces are per length: M = W (2U)^(-1/2) with W "
-                  "= F'/(E' R_x) and F' the load per length. roller: a line contact of the given length, with the "
-                  "profile of [roller]; M and W are those of its mean load per length."},
-      {.name = "M",
-       .range = {0.1, 1e5},
-       .remedy = "outside this range the contact is rigid or dry on every grid",
-       .meaning = "Moes load number M = W (2U)^(-3/4). M and L are the first of three ways to give the contact.",
-       .source = "Moes; Venner and ten Napel 1992 use M = 50, L = 10",
-       .example = "50",
-       .example_is_active = true},
-      {.name = "L",
-       .range = {0.0, 100.0},
-       .meaning = "Moes material number L = G (2U)^(1/4); 0 for an isoviscous lubricant.",
-       .example = "10",
-       .example_is_active = true},
-      {.name = "W",
-       .range = positive,
-       .meaning = "Hamrock-Dowson load number W = F/(E' R_x^2). W, U and G are the second way to give the contact.",
-       .example = "1.9e-7"},
-      {.name = "U",
-       .range = positive,
-       .meaning = "Hamrock-Dowson speed number U = eta0 u_m/(E' R_x), u_m = (u1 + u2)/2.",
-       .example = "9.1e-12"},
-      {.name = "G",
-       .range = {0.0, infinity, false, true},
-       .meaning = "Hamrock-Dowson material number G = alpha E'; 0 for an isoviscous lubricant.",
-       .example = "4500"},
-      {.name = "a_over_R",
-       .range = {0.0, 1.0, true, false},
-       .remedy = "a/R = pi p_h/E'",
-       .meaning = "Hertz radius over R_x, a/R. M and L leave it open, and shear stresses depend on it. Used only with "
-                  "M and L, and with [shear] or [friction].",
-       .example = "0.01"},
+      key("kind", by_default("point"), words({"point", "line", "roller"}),
+          "Kind of contact. point: a circle or an ellipse. line: long bodies, straight across the motion, such as gear "
+          "teeth and cams; nothing varies along y, and forces are per length: M = W (2U)^(-1/2) with W = F'/(E' R_x) "
+          "and F' the load per length. roller: a line contact of the given length, with the profile of [roller]; M and "
+          "W are those of its mean load per length."),
+      key("M", &Input::M, Range{0.1, 1e5}, example("50"), active,
+          "Moes load number M = W (2U)^(-3/4). M and L are the first of three ways to give the contact.",
+          remedy("outside this range the contact is rigid or dry on every grid"),
+          source("Moes; Venner and ten Napel 1992 use M = 50, L = 10")),
+      key("L", &Input::L, Range{0.0, 100.0}, example("10"), active,
+          "Moes material number L = G (2U)^(1/4); 0 for an isoviscous lubricant."),
+      key("W", &Input::W, positive, example("1.9e-7"),
+          "Hamrock-Dowson load number W = F/(E' R_x^2). W, U and G are the second way to give the contact."),
+      key("U", &Input::U, positive, example("9.1e-12"),
+          "Hamrock-Dowson speed number U = eta0 u_m/(E' R_x), u_m = (u1 + u2)/2."),
+      key("G", &Input::G, not_negative, example("4500"),
+          "Hamrock-Dowson material number G = alpha E'; 0 for an isoviscous lubricant."),
+      key("a_over_R", &Input::a_over_R, up_to(1.0), example("0.01"),
+          "Hertz radius over R_x, a/R. M and L leave it open, and shear stresses depend on it. Used only with M and L, "
+          "and with [shear] or [friction].",
+          remedy("a/R = pi p_h/E'")),
   };
 }
 
-std::vector<deck::Key> si_keys() {
+deck::Records<Input> si_records() {
+  using namespace deck::record;
   return {
-      {.name = "load",
-       .unit = "N",
-       .range = positive,
-       .remedy = "the load presses the bodies together",
-       .meaning = "Normal load F; for a roller, the load on its whole length. load, radius_x and the elastic data in "
-                  "SI, with [motion] and eta0, are the third way to give the contact.",
-       .example = "15"},
-      {.name = "load_per_length",
-       .unit = "N/m",
-       .range = positive,
-       .remedy = "1 N/mm is 1000 N/m",
-       .meaning =
-           "Normal load per length of a line contact, F' = F/length, instead of load. Used only with kind = line.",
-       .example = "2e5"},
-      {.name = "radius_x",
-       .unit = "m",
-       .range = positive,
-       .meaning = "Reduced radius in the rolling direction: 1/R_x = 1/R_x1 + 1/R_x2. For a ball on a flat it is the "
-                  "radius of the ball.",
-       .example = "0.0125"},
-      {.name = "radius_y",
-       .default_note = "radius_x (circular contact)",
-       .unit = "m",
-       .range = positive,
-       .meaning =
-           "Reduced radius at right angles to radius_x: 1/R_y = 1/R_y1 + 1/R_y2. radius_ratio may be given instead.",
-       .example = "0.0125"},
-      {.name = "E1",
-       .unit = "Pa",
-       .range = positive,
-       .meaning = "Young's modulus of body 1. Give E1, nu1, E2 and nu2 together, or E_prime instead.",
-       .example = "206e9"},
-      {.name = "nu1", .range = {-1.0, 0.5, true, false}, .meaning = "Poisson's ratio of body 1.", .example = "0.3"},
-      {.name = "E2", .unit = "Pa", .range = positive, .meaning = "Young's modulus of body 2.", .example = "81e9"},
-      {.name = "nu2", .range = {-1.0, 0.5, true, false}, .meaning = "Poisson's ratio of body 2.", .example = "0.208"},
-      {.name = "E_prime",
-       .unit = "Pa",
-       .range = positive,
-       .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2 and nu2.",
-       .example = "110e9"},
-      {.name = "Sq1",
-       .unit = "m",
-       .range = roughness,
-       .remedy = "10 nm are 10e-9",
-       .meaning = "Root mean square height of surface 1 (Sq of a map, Rq of a profile), for the lambda ratio in the "
-                  "report. The film is computed for smooth surfaces.",
-       .example = "10e-9"},
-      {.name = "Sq2",
-       .unit = "m",
-       .range = roughness,
-       .meaning = "Root mean square height of surface 2, see Sq1.",
-       .example = "5e-9"},
+      key("load", unit("N"), positive, example("15"),
+          "Normal load F; for a roller, the load on its whole length. load, radius_x and the elastic data in SI, with "
+          "[motion] and eta0, are the third way to give the contact.",
+          remedy("the load presses the bodies together")),
+      key("load_per_length", unit("N/m"), positive, example("2e5"),
+          "Normal load per length of a line contact, F' = F/length, instead of load. Used only with kind = line.",
+          remedy("1 N/mm is 1000 N/m")),
+      key("radius_x", unit("m"), positive, example("0.0125"),
+          "Reduced radius in the rolling direction: 1/R_x = 1/R_x1 + 1/R_x2. For a ball on a flat it is the radius of "
+          "the ball."),
+      key("radius_y", unit("m"), positive, example("0.0125"), otherwise("radius_x (circular contact)"),
+          "Reduced radius at right angles to radius_x: 1/R_y = 1/R_y1 + 1/R_y2. radius_ratio may be given instead."),
+      key("E1", unit("Pa"), positive, example("206e9"),
+          "Young's modulus of body 1. Give E1, nu1, E2 and nu2 together, or E_prime instead."),
+      key("nu1", Range{-1.0, 0.5, true, false}, example("0.3"), "Poisson's ratio of body 1."),
+      key("E2", unit("Pa"), positive, example("81e9"), "Young's modulus of body 2."),
+      key("nu2", Range{-1.0, 0.5, true, false}, example("0.208"), "Poisson's ratio of body 2."),
+      key("E_prime", unit("Pa"), positive, example("110e9"),
+          "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2 and nu2."),
+      key("Sq1", &Input::Sq1, unit("m"), roughness, example("10e-9"),
+          "Root mean square height of surface 1 (Sq of a map, Rq of a profile), for the lambda ratio in the report. "
+          "The film is computed for smooth surfaces.",
+          remedy("10 nm are 10e-9")),
+      key("Sq2", &Input::Sq2, unit("m"), roughness, example("5e-9"), "Root mean square height of surface 2, see Sq1."),
   };
 }
 
 std::vector<deck::Key> shape_keys() {
+  using namespace deck::record;
   return {
-      {.name = "radius_ratio",
-       .default_note = "1 (circular contact), or from radius_y",
-       .range = {0.005, 200.0},
-       .remedy = "outside this range the contact is nearly a line contact",
-       .meaning = "R_x/R_y, the reduced radius in the rolling direction over the one across it. Below 1 the contact is "
-                  "an ellipse that is wider than long. It may be given with each of the three ways; groups, Hertz "
-                  "radii and scales are defined with R_x.",
-       .source =
-           "tests/bench/wide_ellipses.csv; the film formulas hold for 0.05 to 1, Nijenbanning, Venner and Moes 1994",
-       .example = "0.2"},
+      key("radius_ratio", instead_of({"radius_y"}), Range{0.005, 200.0}, example("0.2"),
+          otherwise("1 (circular contact), or from radius_y"),
+          "R_x/R_y, the reduced radius in the rolling direction over the one across it. Below 1 the contact is an "
+          "ellipse that is wider than long. It may be given with each of the three ways; groups, Hertz radii and "
+          "scales are defined with R_x.",
+          remedy("outside this range the contact is nearly a line contact"),
+          source("tests/bench/wide_ellipses.csv; the film formulas hold for 0.05 to 1, Nijenbanning, Venner and Moes "
+                 "1994")),
   };
 }
+
+deck::Records<Input> records() { return deck::together<deck::Record<Input>>({dimensionless_records(), si_records()}); }
 
 using Names = std::vector<std::string>;
 
@@ -202,14 +159,11 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
   const double ratio = contact.number("radius_ratio");
   const bool given = contact.given("radius_ratio");
   if (language != Language::si) return given ? ratio : 1.0;
-  if (given) {
-    if (contact.given("radius_y")) contact.complain("radius_ratio", "radius_y is given as well: keep one of them");
-    return ratio;
-  }
+  if (given) return ratio;
   const double radius_x = contact.number("radius_x");
   contact.follow("radius_y", radius_x, "circular contact");
   const double of_radii = radius_x / contact.number("radius_y");
-  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "radius_ratio");
+  const deck::Key& key = contact.key("radius_ratio");
   if (!std::isnan(of_radii) && !key.range.contains(of_radii))
     contact.complain("radius_y", fmt::format("means radius_x/radius_y = {:.4g}, which must be {}: outside this range "
                                              "the contact is nearly a line contact",
@@ -247,8 +201,8 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& i
 }  // namespace
 
 std::vector<deck::Key> keys() {
-  return deck::together({deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), coating_keys(),
-                                                                     shape_keys(), length_keys()})),
+  return deck::together({deck::keys_of("contact", records()),
+                         deck::in_section("contact", deck::together({coating_keys(), shape_keys(), length_keys()})),
                          deck::in_section("motion", motion_keys())});
 }
 
@@ -256,16 +210,8 @@ bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind
 
 Input read(deck::Deck& deck, bool slides) {
   const deck::Part contact{deck, "contact"}, motion{deck, "motion"};
-  const auto number = [&](const char* name) { return contact.number(name); };
-  Input input{.language = language_of(contact),
-              .M = number("M"),
-              .L = number("L"),
-              .W = number("W"),
-              .U = number("U"),
-              .G = number("G"),
-              .a_over_R = number("a_over_R"),
-              .Sq1 = number("Sq1"),
-              .Sq2 = number("Sq2")};
+  Input input{.language = language_of(contact)};
+  deck::read(contact, records(), input);
   if (input.language == Language::moes) contact.demand(names_in_moes, "M and L belong together");
   if (input.language == Language::hamrock_dowson) contact.demand(names_in_hamrock_dowson, "W, U and G belong together");
   if (input.language == Language::si) input.bodies = read_bodies(contact);

@@ -2,40 +2,26 @@
 #include <cmath>
 
 #include "contact/keys.hpp"
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 
 namespace ehl::contact {
 
 std::vector<deck::Key> motion_keys() {
-  constexpr deck::Range speed{-1e6, 1e6};
+  using namespace deck::record;
+  constexpr Range speed{-1e6, 1e6};
   return {
-      {.name = "angle",
-       .default_note = "0: along radius_x",
-       .unit = "degrees",
-       .range = {-90.0, 90.0},
-       .meaning = "Angle from the direction of radius_x to the rolling direction, for an elliptic contact; 90: rolling "
-                  "along radius_y. For other angles than 0 and 90 the contact is oblique and the whole domain is "
-                  "computed. x is always the rolling direction.",
-       .example = "45"},
-      {.name = "u1",
-       .unit = "m/s",
-       .range = speed,
-       .meaning = "Surface speed of body 1. Give u1 and u2, or u_m and srr. The oil enters at negative x.",
-       .example = "0.09"},
-      {.name = "u2", .unit = "m/s", .range = speed, .meaning = "Surface speed of body 2.", .example = "0.09"},
-      {.name = "u_m",
-       .unit = "m/s",
-       .range = {0.0, 1e6, true, false},
-       .remedy = "without entrainment there is no film",
-       .meaning = "Entrainment speed (u1 + u2)/2, instead of u1 and u2.",
-       .example = "0.09"},
-      {.name = "srr",
-       .default_note = "0",
-       .range = {-1e6, 1e6},
-       .meaning =
-           "Slide-roll ratio (u1 - u2)/u_m. The film of a steady, smooth, isothermal, Newtonian contact does not "
-           "depend on it. [shear] and [friction] use it, also when the contact is given by M and L or by W, U and G.",
-       .example = "0.1"},
+      key("angle", unit("degrees"), Range{-90.0, 90.0}, example("45"), otherwise("0: along radius_x"),
+          "Angle from the direction of radius_x to the rolling direction, for an elliptic contact; 90: rolling along "
+          "radius_y. For other angles than 0 and 90 the contact is oblique and the whole domain is computed. x is "
+          "always the rolling direction."),
+      key("u1", unit("m/s"), speed, example("0.09"),
+          "Surface speed of body 1. Give u1 and u2, or u_m and srr. The oil enters at negative x."),
+      key("u2", unit("m/s"), speed, example("0.09"), "Surface speed of body 2."),
+      key("u_m", unit("m/s"), up_to(1e6), example("0.09"), "Entrainment speed (u1 + u2)/2, instead of u1 and u2.",
+          remedy("without entrainment there is no film")),
+      key("srr", Range{-1e6, 1e6}, example("0.1"), otherwise("0"),
+          "Slide-roll ratio (u1 - u2)/u_m. The film of a steady, smooth, isothermal, Newtonian contact does not depend "
+          "on it. [shear] and [friction] use it, also when the contact is given by M and L or by W, U and G."),
   };
 }
 

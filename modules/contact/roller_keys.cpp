@@ -3,28 +3,19 @@
 
 #include "contact/hertz.hpp"
 #include "contact/keys.hpp"
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 
 namespace ehl::contact {
 
 std::vector<deck::Key> length_keys() {
-  const deck::Condition roller{.name = "kind", .words = {"roller"}};
-  const deck::Key length{.name = "length",
-                         .range = {4.0, 2000.0},
-                         .remedy = "a shorter body is not a roller",
-                         .meaning =
-                             "Length of the roller in half widths a of the line contact with its mean load per length. "
-                             "Used only with M and L, or with W, U and G.",
-                         .needs = roller,
-                         .example = "40"};
-  return {length,
-          {.name = "length_m",
-           .unit = "m",
-           .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
-           .remedy = "in metres: 8 mm are 0.008",
-           .meaning = "Length of the roller: its total length available for contact. Used only with a contact in SI.",
-           .needs = roller,
-           .example = "0.008"}};
+  using namespace deck::record;
+  return {key("length", Range{4.0, 2000.0}, needs("kind", {"roller"}), example("40"),
+              "Length of the roller in half widths a of the line contact with its mean load per length. Used only with "
+              "M and L, or with W, U and G.",
+              remedy("a shorter body is not a roller")),
+          key("length_m", unit("m"), positive, needs("kind", {"roller"}), example("0.008"),
+              "Length of the roller: its total length available for contact. Used only with a contact in SI.",
+              remedy("in metres: 8 mm are 0.008"))};
 }
 
 double read_length(const deck::Part& contact, Input& input) {
@@ -37,7 +28,7 @@ double read_length(const deck::Part& contact, Input& input) {
   input.bodies.load /= contact.number(name);
   const Hertz line = hertz(input.bodies.load, input.bodies.radius, input.bodies.E_prime, line_contact());
   const double length = contact.number(name) / line.a;
-  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "length");
+  const deck::Key& key = contact.key("length");
   if (!key.range.contains(length))
     contact.complain(name,
                      fmt::format("is {:.4g} half widths of the contact, which must be {}", length, deck::allowed(key)));

@@ -15,12 +15,12 @@ struct Warning {
 using Warnings = std::vector<Warning>;
 
 /// "the mesh loses ... [map-lost]", as reports, files and pages write a warning.
-inline std::string told(const Warning& warning) { return warning.text + " [" + warning.name + "]"; }
+inline std::string with_name(const Warning& warning) { return warning.text + " [" + warning.name + "]"; }
 
 /// Each of them as above.
-inline std::vector<std::string> told(const Warnings& warnings) {
+inline std::vector<std::string> with_names(const Warnings& warnings) {
   std::vector<std::string> texts;
-  for (const Warning& warning : warnings) texts.push_back(told(warning));
+  for (const Warning& warning : warnings) texts.push_back(with_name(warning));
   return texts;
 }
 

@@ -66,12 +66,22 @@ bool called_for(const Deck& deck, const std::string& section) {
          std::ranges::any_of(record->called_by, [&](const auto& name) { return given(deck, section, name); });
 }
 
+namespace {
+
+bool holds(const Deck& deck, const Key& key, const Condition& needs) {
+  const std::string& section = needs.section.empty() ? key.section : needs.section;
+  if (needs.name.empty()) return called_for(deck, section);
+  const Value& other = value(deck, section, needs.name);
+  return needs.words.empty() ? other.origin == Origin::given
+                             : std::ranges::find(needs.words, other.text) != needs.words.end();
+}
+
+}  // namespace
+
 bool has_influence(const Deck& deck, const Key& key) {
-  if (!called_for(deck, key.section)) return false;
-  if (key.needs.name.empty()) return true;
-  const Value& other = value(deck, section_needed(key), key.needs.name);
-  return key.needs.words.empty() ? other.origin == Origin::given
-                                 : std::ranges::find(key.needs.words, other.text) != key.needs.words.end();
+  return called_for(deck, key.section) &&
+         (holds(deck, key, key.needs) ||
+          std::ranges::any_of(key.needs.or_else, [&](const Condition& other) { return holds(deck, key, other); }));
 }
 
 double number(const Deck& deck, const std::string& section, const std::string& name) {
@@ -87,9 +97,7 @@ double number_in(Deck& deck, const std::string& section, const std::string& name
   const double number_in_SI = deck::number(deck, section, in_SI);
   const bool plain = given(deck, section, name);
   const bool SI = given(deck, section, in_SI);
-  if (plain && SI)
-    complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
-  else if (SI && !unit.known)
+  if (SI && !plain && !unit.known)
     complain(deck, section, in_SI, "is in SI, but the contact is not given in SI: use " + name);
   if (plain || !SI) return number;
   // Otherwise the effective deck would show the default next to the number given instead.

@@ -78,8 +78,8 @@ struct PlainUnit {
   bool known = false;  ///< the deck gives, correctly or not, the keys from which in_SI follows
 };
 
-/// Such a quantity, dimensionless. Reports an error if both forms are given, or the SI form without a known unit. The
-/// SI form replaces a default. out: NaN if neither is given or after an error.
+/// Such a quantity, dimensionless. Reports an error if the SI form is given without a known unit; check_influence()
+/// reports both forms together. The SI form replaces a default. out: NaN if neither is given or after an error.
 double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit);
 
 /// number() for an integer. limits: `otherwise` if there is none or it was refused.
@@ -111,8 +111,12 @@ void compute(Deck& deck, const std::string& section, const std::string& name, do
 void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& from,
              const std::string& why);
 
-/// Reports every key that has no effect in this deck. To be called after all compute() calls.
+/// Reports every key that has no effect in this deck, and every key that is given together with one that it replaces.
+/// To be called after all compute() calls.
 void check_influence(Deck& deck);
+
+/// Reports a key that is required, has an effect, and is missing; so are the keys that replace it.
+void check_required(Deck& deck, const Key& key);
 
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>". For a computed number the message begins with its origin:
 /// the keys of that section on the command line, else the heading of the section.
@@ -135,6 +139,10 @@ struct Part {
   std::string section;
 
   bool given(const std::string& name) const { return deck::given(deck, section, name); }
+  /// True if the key has a value: given, chosen or by default.
+  bool has(const std::string& name) const { return value(deck, section, name).origin != Origin::absent; }
+  /// The record of a key.
+  const Key& key(const std::string& name) const { return *find_key(deck.catalogue, section, name); }
   double number(const std::string& name) const { return deck::number(deck, section, name); }
   double number_in(const std::string& name, const PlainUnit& unit) const {
     return deck::number_in(deck, section, name, unit);

@@ -63,7 +63,7 @@ std::vector<NamedFile> named_files(const Deck& deck) {
   return found;
 }
 
-std::string told(const NamedFile& file) {
+std::string fingerprint(const NamedFile& file) {
   return fmt::format("{}: {} bytes, {:016x}", file.name, file.bytes, file.hash);
 }
 

@@ -25,7 +25,7 @@ struct NamedFile {
 std::vector<NamedFile> named_files(const Deck& deck);
 
 /// "oil.csv: 812 bytes, 6f0d...", a text that changes with the content of the file.
-std::string told(const NamedFile& file);
+std::string fingerprint(const NamedFile& file);
 
 /// errors: core::FileError "oil.csv: cannot be read<note>: <why>" if the file is missing, larger, or not a regular
 /// file; a pipe would block the program.

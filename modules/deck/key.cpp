@@ -9,7 +9,10 @@ namespace {
 
 std::string allowed_range(const Key& key) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-  const std::string what = key.type == Type::integer ? "a whole number" : "a number";
+  const std::string whole = key.range.parity == Parity::odd    ? "an odd number"
+                            : key.range.parity == Parity::even ? "an even number"
+                                                               : "a whole number";
+  const std::string what = key.type == Type::integer ? whole : "a number";
   const bool below = std::isfinite(key.range.lower);
   const bool above = std::isfinite(key.range.upper);
   const std::string lower = (key.range.lower_open ? "> " : ">= ") + shortest(key.range.lower);
@@ -20,35 +23,38 @@ std::string allowed_range(const Key& key) {
   return what + (key.unit.empty() ? "" : " in " + key.unit);
 }
 
+Key twin_of(const Key& plain) {
+  Key twin = plain;
+  twin.name += plain.twin.suffix;
+  twin.unit = plain.twin.unit;
+  twin.meaning = "Value of " + plain.name + " in " + twin.unit + ", for a contact in SI.";
+  twin.default_text.clear();
+  twin.example = plain.twin.example;
+  if (!std::isnan(plain.twin.range.lower)) twin.range = plain.twin.range;
+  twin.instead_of = {plain.name};
+  twin.required.clear();
+  twin.twin = {};
+  return twin;
+}
+
 }  // namespace
 
 std::vector<Key> in_section(const std::string& section, std::vector<Key> keys) {
+  std::vector<Key> all;
   for (Key& key : keys) {
+    const bool is_new = key.section.empty();
     key.section = section;
     if (!key.words.empty() && key.type == Type::number) key.type = Type::word;
+    all.push_back(key);
+    if (!key.twin.suffix.empty() && is_new) all.push_back(twin_of(key));
   }
-  return keys;
+  return all;
 }
 
 std::vector<Key> only_with(const Condition& other, std::vector<Key> keys) {
   for (Key& key : keys)
     if (key.needs.name.empty() && key.name != other.name) key.needs = other;
   return keys;
-}
-
-std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) {
-  std::vector<Key> all;
-  for (const std::vector<Key>& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
-Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example) {
-  plain.meaning = "Value of " + plain.name + " in " + unit + ", for a contact in SI.";
-  plain.name += suffix;
-  plain.unit = unit;
-  plain.default_text.clear();
-  plain.example = example;
-  return plain;
 }
 
 bool names_file(const Key& key, const std::string& value) {

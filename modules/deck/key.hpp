@@ -13,24 +13,38 @@ enum class Type { number, integer, word, words, text };
 /// 2:0".
 enum class Names { nothing, file, file_or_list };
 
+/// Which whole numbers a key allows.
+enum class Parity { any, odd, even };
+
 /// The allowed range of a number or integer; open ends exclude the bound itself.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   bool lower_open = false;
   bool upper_open = false;
+  Parity parity = Parity::any;
 
   bool contains(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
   }
 };
 
-/// A key that has an effect only with another one, of the same section if none is named: with any value, or with one of
-/// these words.
+/// A key has an effect only with another one, of the same section if none is named: with any value, or with one of
+/// these words. Without a name: only if the effect of the section is enabled.
 struct Condition {
   std::string name{};
   std::vector<std::string> words{};
   std::string section{};
+  std::vector<Condition> or_else{};  ///< another condition that is enough
+};
+
+/// The key of the same quantity in SI, "<name><suffix>", for a contact in SI; a deck gives one of both
+/// (deck::number_in()).
+struct Twin {
+  std::string suffix{};
+  std::string unit{};
+  std::string example{};
+  Range range{.lower = std::numeric_limits<double>::quiet_NaN()};  ///< NaN: that of the plain key
 };
 
 /// One key of the deck. Everything that the program prints about a key comes from this record.
@@ -50,6 +64,13 @@ struct Key {
   std::string example{};           ///< value in the generated deck if there is no default
   Names names = Names::nothing;    ///< whether the value is the name of a file that the case reads
   bool example_is_active = false;  ///< the generated deck uses the example instead of commenting it out
+  /// Keys of the section that must not be given together with this one: one of them replaces it.
+  std::vector<std::string> instead_of{};
+  /// Why the deck must give this key, or one that replaces it, if the module reads it and it has an effect; if it
+  /// belongs `together` with other keys, only if one of them is given.
+  std::string required{};
+  std::vector<std::string> together{};
+  Twin twin{};  ///< without a suffix: none
 };
 
 /// A section of the deck. The section of an effect is refused unless one of the keys that enable the effect is given.
@@ -76,17 +97,21 @@ struct Catalogue {
   std::vector<Unavailable> unavailable{};
 };
 
-/// Adds the section to keys. A key with words becomes Type::word, unless it is Type::words.
+/// Adds the section to keys, and after each key its twin. A key with words becomes Type::word, unless it is
+/// Type::words.
 std::vector<Key> in_section(const std::string& section, std::vector<Key> keys);
 
 /// Makes keys depend on `other`, except those that have their own condition and `other` itself.
 std::vector<Key> only_with(const Condition& other, std::vector<Key> keys);
 
-/// Concatenates lists of keys.
-std::vector<Key> together(std::initializer_list<std::vector<Key>> lists);
-
-/// Key for the same quantity in SI, "<name><suffix>"; a deck gives one of both (deck::number_in()).
-Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example);
+/// Concatenates lists of keys, or of records (record.hpp).
+template <class Each>
+std::vector<Each> together(std::initializer_list<std::vector<Each>> lists) {
+  std::vector<Each> all;
+  for (const std::vector<Each>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+inline std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) { return together<Key>(lists); }
 
 /// True if this value of the key is the name of a file. A value of Names::file_or_list is a list if its first word, up
 /// to a colon, is a number.

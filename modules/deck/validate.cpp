@@ -1,4 +1,4 @@
-// Checks of single keys: known, given once, readable, in range; and whether they have an effect.
+// Checks of single keys: known, given once, readable, in range.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -173,6 +173,8 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
     case ReadNumber::Status::not_a_number: return "this is not a number: " + must;
   }
   if (key.type == Type::integer && (read.value != std::floor(read.value) || std::abs(read.value) > 2e9)) return must;
+  if (key.range.parity != Parity::any && (std::fmod(read.value, 2.0) != 0.0) != (key.range.parity == Parity::odd))
+    return must + (key.remedy.empty() ? "" : ": " + key.remedy);
   if (!key.range.contains(read.value)) return must + (key.remedy.empty() ? "" : ": " + key.remedy);
   number = read.value;
   return "";
@@ -211,29 +213,6 @@ void check_value(Deck& deck, const Key& key, Value& value) {
   value.valid = false;
 }
 
-// A key without effect is an error, because the user expects one: "z" with a Barus fluid.
-void check_influence_of(Deck& deck, const Key& key) {
-  if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
-  const auto nothing_without = [&](const std::string& what) {
-    complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it",
-             Cause::idle);
-  };
-  if (!called_for(deck, key.section)) {
-    nothing_without(joined(find_section(deck.catalogue, key.section)->called_by, " or "));
-    return;
-  }
-  const std::string& section = section_needed(key);
-  const std::string name = (section == key.section ? "" : bracketed(section) + " ") + key.needs.name;
-  const Value& other = value(deck, section, key.needs.name);
-  if (key.needs.words.empty())
-    nothing_without(name);
-  else if (other.valid)
-    complain(deck, key.section, key.name,
-             "has no influence with " + name + " = " + other.text + ": remove it, or set " + name + " = " +
-                 joined(key.needs.words, " or "),
-             Cause::idle);
-}
-
 }  // namespace
 
 Deck validate(const Document& document, const std::vector<Assignment>& overrides, const Catalogue& catalogue) {
@@ -251,10 +230,6 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   for (std::size_t k = 0; k < catalogue.keys.size(); ++k)
     if (deck.values[k].origin == Origin::given) check_value(deck, catalogue.keys[k], deck.values[k]);
   return deck;
-}
-
-void check_influence(Deck& deck) {
-  for (const Key& key : deck.catalogue.keys) check_influence_of(deck, key);
 }
 
 }  // namespace ehl::deck

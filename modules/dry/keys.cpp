@@ -1,39 +1,29 @@
 #include "dry/keys.hpp"
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "dry/solve.hpp"
 
 namespace ehl::dry {
+namespace {
 
-using deck::Type;
-
-std::vector<deck::Key> keys() {
-  const Parameters defaults;
-  const deck::Condition dry{.name = "kind", .words = {"dry"}, .section = "case"};
-  return deck::in_section(
-      "dry",
-      {{.name = "tolerance",
-        .default_text = deck::shortest(defaults.tolerance),
-        .range = {1e-12, 1e-2},
-        .meaning =
-            "Accuracy of the dry contact: largest gap inside the contact and largest overlap outside it, in a^2/R.",
-        .source = "modules/dry/README.md",
-        .needs = dry},
-       {.name = "max_iterations",
-        .type = Type::integer,
-        .default_text = std::to_string(defaults.max_iterations),
-        .range = {1, 1000000},
-        .meaning = "Largest number of iterations on each grid.",
-        .needs = dry}});
+deck::Records<Parameters> records() {
+  using namespace deck::record;
+  return deck::only_with<Parameters>(
+      {.name = "kind", .words = {"dry"}, .section = "case"},
+      {key("tolerance", &Parameters::tolerance, Range{1e-12, 1e-2}, own_default,
+           "Accuracy of the dry contact: largest gap inside the contact and largest overlap outside it, in a^2/R.",
+           source("modules/dry/README.md")),
+       key("max_iterations", &Parameters::max_iterations, Range{1, 1000000}, own_default,
+           "Largest number of iterations on each grid.")});
 }
+
+}  // namespace
+
+std::vector<deck::Key> keys() { return deck::keys_of("dry", records()); }
 
 std::optional<Parameters> read(deck::Deck& deck) {
   if (deck::word(deck, "case", "kind") != "dry") return std::nullopt;
-  const deck::Part dry{deck, "dry"};
-  Parameters parameters;
-  parameters.tolerance = dry.number("tolerance");
-  parameters.max_iterations = dry.integer("max_iterations", parameters.max_iterations);
-  return parameters;
+  return deck::read(deck::Part{deck, "dry"}, records());
 }
 
 }  // namespace ehl::dry

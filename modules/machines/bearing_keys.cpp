@@ -5,97 +5,69 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "deck/record.hpp"
 #include "machines/bearing.hpp"
 #include "machines/keys.hpp"
 
 namespace ehl::machines {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr deck::Range positive{0.0, infinity, true, true};
-constexpr deck::Range rpm{-1e6, 1e6};
-
-std::vector<deck::Key> geometry_keys() {
+deck::Records<Bearing> geometry_records() {
+  using namespace deck::record;
   const deck::Condition ball{.name = "kind", .words = {ball_race}, .section = "case"};
   const deck::Condition roller{.name = "kind", .words = {roller_race}, .section = "case"};
-  return {{.name = "diameter",
-           .unit = "m",
-           .range = positive,
-           .meaning = "Diameter D of the ball or roller.",
-           .example = "9.525e-3"},
-          {.name = "pitch_diameter",
-           .unit = "m",
-           .range = positive,
-           .meaning = "Pitch diameter d_m: the diameter of the circle through the centres of the balls or rollers, "
-                      "nearly the mean of bore and outside diameter.",
-           .example = "46e-3"},
-          {.name = "race",
-           .default_text = "inner",
-           .words = {"inner", "outer"},
-           .meaning = "Race whose contact is computed."},
-          {.name = "conformity",
-           .default_text = "0.52",
-           .range = {0.5, 1.0, true, false},
-           .remedy = "the groove is wider than the ball: usually 0.515 to 0.53",
-           .meaning = "Groove conformity f: radius of the groove over the diameter of the ball.",
-           .source = "ISO 281: at most 0.52 for the ratings of ball bearings",
-           .needs = ball},
-          {.name = "contact_angle",
-           .default_text = "0",
-           .unit = "degrees",
-           .range = {0.0, 90.0, false, true},
-           .meaning = "Contact angle alpha between the load on the ball and the radial plane, equal at both races.",
-           .needs = ball},
-          {.name = "length",
-           .unit = "m",
-           .range = positive,
-           .meaning = "Length of a cylindrical roller that touches the race.",
-           .needs = roller,
-           .example = "10e-3"}};
+  return {key("diameter", &Bearing::diameter, required("the contact is computed from it"), unit("m"), positive,
+              example("9.525e-3"), "Diameter D of the ball or roller."),
+          key("pitch_diameter", &Bearing::pitch_diameter, required("the contact is computed from it"), unit("m"),
+              positive, example("46e-3"),
+              "Pitch diameter d_m: the diameter of the circle through the centres of the balls or rollers, nearly the "
+              "mean of bore and outside diameter."),
+          key("race", &Bearing::race, {{"inner", Race::inner}, {"outer", Race::outer}}, own_default,
+              "Race whose contact is computed."),
+          key("conformity", Range{0.5, 1.0, true, false}, by_default("0.52"), ball,
+              "Groove conformity f: radius of the groove over the diameter of the ball.",
+              remedy("the groove is wider than the ball: usually 0.515 to 0.53"),
+              source("ISO 281: at most 0.52 for the ratings of ball bearings")),
+          key("contact_angle", &Bearing::contact_angle, unit("degrees"), Range{0.0, 90.0, false, true}, by_default("0"),
+              ball, "Contact angle alpha between the load on the ball and the radial plane, equal at both races."),
+          key("length", unit("m"), positive, roller, required("the length of the roller that carries its load"),
+              example("10e-3"), "Length of a cylindrical roller that touches the race.")};
 }
 
-std::vector<deck::Key> load_keys() {
+deck::Records<Bearing> load_records() {
+  using namespace deck::record;
   const deck::Condition radial{.name = "radial_load"};
   return {
-      {.name = "load",
-       .unit = "N",
-       .range = positive,
-       .meaning = "Load Q on the ball or roller, instead of radial_load.",
-       .example = "500"},
-      {.name = "radial_load",
-       .unit = "N",
-       .range = positive,
-       .meaning = "Radial load F_r on the bearing, instead of load. The loads Q of the balls or rollers follow from "
-                  "static equilibrium with rigid rings and no clearance; Q grows with the power 3/2 of the deflection "
-                  "for balls and 10/9 for rollers.",
-       .source = "Stribeck 1901; Palmgren 1959",
-       .example = "1000"},
-      {.name = "elements",
-       .type = deck::Type::integer,
-       .range = {3, 1000},
-       .meaning = "Number Z of balls or rollers.",
-       .needs = radial,
-       .example = "9"},
-      {.name = "azimuth",
-       .default_text = "0",
-       .unit = "degrees",
-       .range = {-180.0, 180.0},
-       .meaning =
-           "Angle between the ball or roller and the direction of the radial load. At 0 it carries the largest load.",
-       .needs = radial}};
+      key("load", required("give it, or radial_load and elements"), unit("N"), positive, example("500"),
+          "Load Q on the ball or roller, instead of radial_load."),
+      key("radial_load", instead_of({"load"}), unit("N"), positive, example("1000"),
+          "Radial load F_r on the bearing, instead of load. The loads Q of the balls or rollers follow from static "
+          "equilibrium with rigid rings and no clearance; Q grows with the power 3/2 of the deflection for balls and "
+          "10/9 for rollers.",
+          source("Stribeck 1901; Palmgren 1959")),
+      key("elements", integer, Range{3, 1000}, radial,
+          required("the number of balls or rollers that carry the radial load"), example("9"),
+          "Number Z of balls or rollers."),
+      key("azimuth", unit("degrees"), Range{-180.0, 180.0}, by_default("0"), radial,
+          "Angle between the ball or roller and the direction of the radial load. At 0 it carries the largest load.")};
 }
 
-std::vector<deck::Key> speed_keys() {
-  const auto key = [](const char* name, const char* meaning, const char* example) {
-    return deck::Key{.name = name, .unit = "1/min", .range = rpm, .meaning = meaning, .example = example};
-  };
-  return {
-      key("rpm_inner",
-          "Speed of the inner ring. If one ring speed is given, the other ring stands still; otherwise give two of "
-          "rpm_inner, rpm_outer and rpm_cage.",
-          "3000"),
-      key("rpm_outer", "Speed of the outer ring, positive in the same sense of rotation as the inner ring.", "0"),
-      key("rpm_cage", "Speed of the cage. It follows from the speeds of both rings, or replaces one of them.", "1200")};
+deck::Records<Bearing> speed_records() {
+  using namespace deck::record;
+  constexpr Range rpm{-1e6, 1e6};
+  return {key("rpm_inner", unit("1/min"), rpm, example("3000"),
+              "Speed of the inner ring. If one ring speed is given, the other ring stands still; otherwise give two of "
+              "rpm_inner, rpm_outer and rpm_cage."),
+          key("rpm_outer", unit("1/min"), rpm, example("0"),
+              "Speed of the outer ring, positive in the same sense of rotation as the inner ring."),
+          key("rpm_cage", unit("1/min"), rpm, example("1200"),
+              "Speed of the cage. It follows from the speeds of both rings, or replaces one of them.")};
+}
+
+deck::Records<Bearing> records() {
+  return deck::only_with<Bearing>(
+      {.name = "kind", .words = {ball_race, roller_race}, .section = "case"},
+      deck::together<deck::Record<Bearing>>({geometry_records(), load_records(), speed_records()}));
 }
 
 Turning read_turning(const deck::Part& bearing) {
@@ -109,18 +81,6 @@ Turning read_turning(const deck::Part& bearing) {
   if (given == std::vector<std::string>{"rpm_inner"}) bearing.follow("rpm_outer", 0.0, "the ring stands still");
   if (given == std::vector<std::string>{"rpm_outer"}) bearing.follow("rpm_inner", 0.0, "the ring stands still");
   return {bearing.number("rpm_inner"), bearing.number("rpm_outer"), bearing.number("rpm_cage")};
-}
-
-void check_load(const deck::Part& bearing, bool ball) {
-  const bool load = bearing.given("load"), radial = bearing.given("radial_load");
-  if (load && radial) bearing.complain("radial_load", "load is given as well: keep one of them");
-  if (!load && !radial)
-    bearing.complain("load", "is missing: give it, or radial_load and elements", deck::Cause::missing);
-  if (!radial) return;
-  bearing.demand({"elements"}, "the number of balls or rollers that carry the radial load");
-  if (ball && bearing.number("contact_angle") > 0.0)  // a roller has no contact angle, which is reported elsewhere
-    bearing.complain("radial_load",
-                     "implies an axial load if there is a contact angle: give load, that on the ball, instead");
 }
 
 void check_space(const deck::Part& bearing, const Bearing& given) {
@@ -186,25 +146,20 @@ double add_load(const deck::Part& bearing, bool ball, std::vector<Number>& numbe
 
 }  // namespace
 
-std::vector<deck::Key> bearing_keys() {
-  const deck::Condition bearing{.name = "kind", .words = {ball_race, roller_race}, .section = "case"};
-  return deck::in_section("bearing",
-                          deck::only_with(bearing, deck::together({geometry_keys(), load_keys(), speed_keys()})));
-}
+std::vector<deck::Key> bearing_keys() { return deck::keys_of("bearing", records()); }
 
 std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
-  const Bearing given{bearing.number("diameter"), bearing.number("pitch_diameter"),
-                      ball ? bearing.number("contact_angle") : 0.0, bearing.choice("race", {Race::inner, Race::outer})};
-  const Turning told = read_turning(bearing);
-  bearing.demand({"diameter", "pitch_diameter"}, "the contact is computed from it");
-  if (!ball) bearing.demand({"length"}, "the length of the roller that carries its load");
-  check_load(bearing, ball);
+  const Bearing given = deck::read(bearing, records());
+  const Turning turning_given = read_turning(bearing);
+  if (ball && bearing.given("radial_load") && given.contact_angle > 0.0)
+    bearing.complain("radial_load",
+                     "implies an axial load if there is a contact angle: give load, that on the ball, instead");
   if (bearing.deck.errors.empty()) check_space(bearing, given);
   if (!bearing.deck.errors.empty()) return {};
 
   std::vector<Number> numbers;
   add_shape(bearing, given, ball, numbers);
-  const Turning turning = complete(told, gamma(given));
+  const Turning turning = complete(turning_given, gamma(given));
   add_speeds(given, turning, numbers);
   if (turn_alike(turning)) bearing.complain("rpm_inner", "and rpm_outer are equal: nothing rolls");
   const double load = add_load(bearing, ball, numbers);

@@ -4,81 +4,55 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "deck/record.hpp"
 #include "machines/gear.hpp"
 #include "machines/keys.hpp"
 
 namespace ehl::machines {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr deck::Range positive{0.0, infinity, true, true};
+const char* const computed_from_it = "the contact is computed from it";
 
-std::vector<deck::Key> wheel_keys() {
-  const auto teeth = [](const char* name, const char* meaning, const char* example) {
-    return deck::Key{
-        .name = name, .type = deck::Type::integer, .range = {3, 10000}, .meaning = meaning, .example = example};
-  };
-  const auto shift = [](const char* name, const char* meaning) {
-    return deck::Key{.name = name, .default_text = "0", .range = {-2.0, 2.0}, .meaning = meaning};
-  };
+deck::Records<Gears> wheel_records() {
+  using namespace deck::record;
+  return {key("module", &Gears::module, required(computed_from_it), unit("m"), positive, example("4e-3"),
+              "Module m of both wheels."),
+          key("teeth1", &Gears::teeth1, required(computed_from_it), Range{3, 10000}, example("24"),
+              "Number of teeth z1 of wheel 1, the driving wheel. Contact begins at the root of its teeth."),
+          key("teeth2", &Gears::teeth2, required(computed_from_it), Range{3, 10000}, example("48"),
+              "Number of teeth z2 of wheel 2."),
+          key("pressure_angle", &Gears::pressure_angle, unit("degrees"), Range{5.0, 45.0}, by_default("20"),
+              "Pressure angle alpha of the basic rack.", source("ISO 53")),
+          key("shift1", &Gears::shift1, Range{-2.0, 2.0}, own_default,
+              "Profile shift coefficient x1. The tips are shortened so that the tip clearance stays the same."),
+          key("shift2", &Gears::shift2, Range{-2.0, 2.0}, own_default, "Profile shift coefficient x2."),
+          key("addendum", &Gears::addendum, up_to(3.0), by_default("1"),
+              "Addendum over the module, before the change by profile shift.", source("ISO 53"))};
+}
+
+deck::Records<Gears> mesh_records() {
+  using namespace deck::record;
   return {
-      {.name = "module", .unit = "m", .range = positive, .meaning = "Module m of both wheels.", .example = "4e-3"},
-      teeth("teeth1", "Number of teeth z1 of wheel 1, the driving wheel. Contact begins at the root of its teeth.",
-            "24"),
-      teeth("teeth2", "Number of teeth z2 of wheel 2.", "48"),
-      {.name = "pressure_angle",
-       .default_text = "20",
-       .unit = "degrees",
-       .range = {5.0, 45.0},
-       .meaning = "Pressure angle alpha of the basic rack.",
-       .source = "ISO 53"},
-      shift("shift1", "Profile shift coefficient x1. The tips are shortened so that the tip clearance stays the same."),
-      shift("shift2", "Profile shift coefficient x2."),
-      {.name = "addendum",
-       .default_text = "1",
-       .range = {0.0, 3.0, true, false},
-       .meaning = "Addendum over the module, before the change by profile shift.",
-       .source = "ISO 53"}};
+      key("face_width", required(computed_from_it), unit("m"), positive, example("20e-3"),
+          "Face width b over which the teeth touch."),
+      key("power", required("give it, or torque1"), unit("W"), positive, example("10e3"), "Power, instead of torque1."),
+      key("torque1", instead_of({"power"}), unit("N m"), positive, example("64"),
+          "Torque on wheel 1, instead of power."),
+      key("rpm1", required(computed_from_it), unit("1/min"), up_to(1e6), example("1500"),
+          "Speed of rotation of wheel 1."),
+      key("position", Range{0.0, 1.0}, example("0.5"), otherwise("the pitch point, if it lies on the path of contact"),
+          "Point of contact on the path of contact. 0: contact begins, at the tip of wheel 2. 1: contact ends, at the "
+          "tip of wheel 1."),
+      key("sharing", by_default("linear"), words({"none", "linear"}),
+          "How two pairs of teeth share the load. linear: equal stiffness and no tip relief: the share rises from 1/3 "
+          "at the beginning of contact to 2/3, is 1 while one pair is alone, and falls from 2/3 to 1/3 at the end; for "
+          "a contact ratio below 2. none: every pair carries the whole load.",
+          source("AGMA 925-A03; ISO/TS 6336-20"))};
 }
 
-std::vector<deck::Key> mesh_keys() {
-  return {{.name = "face_width",
-           .unit = "m",
-           .range = positive,
-           .meaning = "Face width b over which the teeth touch.",
-           .example = "20e-3"},
-          {.name = "power", .unit = "W", .range = positive, .meaning = "Power, instead of torque1.", .example = "10e3"},
-          {.name = "torque1",
-           .unit = "N m",
-           .range = positive,
-           .meaning = "Torque on wheel 1, instead of power.",
-           .example = "64"},
-          {.name = "rpm1",
-           .unit = "1/min",
-           .range = {0.0, 1e6, true, false},
-           .meaning = "Speed of rotation of wheel 1.",
-           .example = "1500"},
-          {.name = "position",
-           .default_note = "the pitch point, if it lies on the path of contact",
-           .range = {0.0, 1.0},
-           .meaning = "Point of contact on the path of contact. 0: contact begins, at the tip of wheel 2. 1: contact "
-                      "ends, at the tip of wheel 1.",
-           .example = "0.5"},
-          {.name = "sharing",
-           .default_text = "linear",
-           .words = {"none", "linear"},
-           .meaning = "How two pairs of teeth share the load. linear: equal stiffness and no tip relief: the share "
-                      "rises from 1/3 at the beginning of contact to 2/3, is 1 while one pair is alone, and falls from "
-                      "2/3 to 1/3 at the end; for a contact ratio below 2. none: every pair carries the whole load.",
-           .source = "AGMA 925-A03; ISO/TS 6336-20"}};
-}
-
-void demand_all(const deck::Part& gear) {
-  gear.demand({"module", "teeth1", "teeth2", "face_width", "rpm1"}, "the contact is computed from it");
-  if (gear.given("power") && gear.given("torque1"))
-    gear.complain("torque1", "power is given as well: keep one of them");
-  if (!gear.given("power") && !gear.given("torque1"))
-    gear.complain("power", "is missing: give it, or torque1", deck::Cause::missing);
+deck::Records<Gears> records() {
+  return deck::only_with<Gears>({.name = "kind", .words = {gear_mesh}, .section = "case"},
+                                deck::together<deck::Record<Gears>>({wheel_records(), mesh_records()}));
 }
 
 // in: wheel, "1" or "2".
@@ -124,8 +98,8 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
 void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
   if (path.C >= path.A && path.C <= path.E) return;
   gear.complain("position",
-                fmt::format("is missing: its default, the pitch point, is not on the path of contact but "
-                            "at {:.4g} of it, where the teeth do not touch; give a position of 0 to 1",
+                fmt::format("is missing: its default, the pitch point, is not on the path of contact but at {:.4g} of "
+                            "it, where the teeth do not touch; give a position of 0 to 1",
                             (path.C - path.A) / (path.E - path.A)),
                 deck::Cause::missing);
 }
@@ -186,16 +160,10 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
 
 }  // namespace
 
-std::vector<deck::Key> gear_keys() {
-  const deck::Condition gear{.name = "kind", .words = {gear_mesh}, .section = "case"};
-  return deck::in_section("gear", deck::only_with(gear, deck::together({wheel_keys(), mesh_keys()})));
-}
+std::vector<deck::Key> gear_keys() { return deck::keys_of("gear", records()); }
 
 std::vector<Number> read_gear(const deck::Part& gear) {
-  const Gears gears{gear.number("module"),         gear.integer("teeth1", 0), gear.integer("teeth2", 0),
-                    gear.number("pressure_angle"), gear.number("shift1"),     gear.number("shift2"),
-                    gear.number("addendum")};
-  demand_all(gear);
+  const Gears gears = deck::read(gear, records());
   if (!gear.deck.errors.empty()) return {};
   const PathOfContact path = path_of_contact(gears);
   check_path(gear, path, gear.word("sharing") == "linear");

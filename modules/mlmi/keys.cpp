@@ -1,61 +1,37 @@
 #include "mlmi/keys.hpp"
 
+#include "deck/record.hpp"
+
 namespace ehl::mlmi {
 
-std::vector<deck::Key> keys() {
-  using deck::Type;
-  const std::string chosen = "chosen for the grid";
-  return deck::in_section(
-      "deformation",
-      deck::only_with(
-          {.name = "method", .words = {"mlmi"}},
-          {{.name = "method",
-            .default_text = "mlmi",
-            .words = {"mlmi", "fft", "direct"},
-            .meaning = "How the elastic deformation is computed. mlmi: multilevel multi-integration. fft: fast Fourier "
-                       "transform, exact. direct: double sum, exact and slow, for small grids only.",
-            .source = "Brandt and Lubrecht 1990"},
-           {.name = "order",
-            .type = Type::integer,
-            .default_note = chosen,
-            .range = {4, 8},
-            .meaning = "Order 2p of the transfers between grids: 4, 6 or 8.",
-            .example = "6"},
-           {.name = "patch_along",
-            .type = Type::integer,
-            .default_note = chosen,
-            .range = {1, 64},
-            .meaning = "Radius of the correction patch in the coarsening direction, in points.",
-            .example = "9"},
-           {.name = "patch_across",
-            .type = Type::integer,
-            .default_note = chosen,
-            .range = {1, 64},
-            .meaning = "Radius of the correction patch at right angles to the coarsening direction, in points.",
-            .example = "3"},
-           {.name = "coarsenings",
-            .type = Type::integer,
-            .default_note = chosen,
-            .range = {0, 20},
-            .meaning = "Number of semi-coarsenings, in x and y by turns, before the sum on the coarsest grid.",
-            .example = "2"},
-           {.name = "coarsest_sum",
-            .default_text = "fft",
-            .words = {"fft", "direct"},
-            .meaning = "How the sum on the coarsest grid is computed."}}));
+namespace {
+
+deck::Records<Parameters> records() {
+  using namespace deck::record;
+  const auto chosen = otherwise("chosen for the grid");
+  return deck::only_with<Parameters>(
+      needs("method", {"mlmi"}),
+      {key("method", &Parameters::method, {{"mlmi", Method::mlmi}, {"fft", Method::fft}, {"direct", Method::direct}},
+           own_default,
+           "How the elastic deformation is computed. mlmi: multilevel multi-integration. fft: fast "
+           "Fourier transform, exact. direct: double sum, exact and slow, for small grids only.",
+           source("Brandt and Lubrecht 1990")),
+       key("order", &Parameters::order, even(4, 8), example("6"), chosen,
+           "Order 2p of the transfers between grids: 4, 6 or 8."),
+       key("patch_along", &Parameters::patch_along, Range{1, 64}, example("9"), chosen,
+           "Radius of the correction patch in the coarsening direction, in points."),
+       key("patch_across", &Parameters::patch_across, Range{1, 64}, example("3"), chosen,
+           "Radius of the correction patch at right angles to the coarsening direction, in points."),
+       key("coarsenings", &Parameters::coarsenings, Range{0, 20}, example("2"), chosen,
+           "Number of semi-coarsenings, in x and y by turns, before the sum on the coarsest grid."),
+       key("coarsest_sum", &Parameters::coarsest_direct, {{"fft", false}, {"direct", true}}, own_default,
+           "How the sum on the coarsest grid is computed.")});
 }
 
-Parameters read(deck::Deck& deck) {
-  const deck::Part deformation{deck, "deformation"};
-  Parameters parameters;
-  parameters.method = deformation.choice("method", {Method::mlmi, Method::fft, Method::direct});
-  parameters.order = deformation.integer("order", parameters.order);
-  if (parameters.order % 2 != 0) deformation.complain("order", "must be 4, 6 or 8");
-  parameters.patch_along = deformation.integer("patch_along", parameters.patch_along);
-  parameters.patch_across = deformation.integer("patch_across", parameters.patch_across);
-  parameters.coarsenings = deformation.integer("coarsenings", parameters.coarsenings);
-  parameters.coarsest_direct = deformation.choice("coarsest_sum", {false, true});
-  return parameters;
-}
+}  // namespace
+
+std::vector<deck::Key> keys() { return deck::keys_of("deformation", records()); }
+
+Parameters read(deck::Deck& deck) { return deck::read(deck::Part{deck, "deformation"}, records()); }
 
 }  // namespace ehl::mlmi

@@ -16,4 +16,14 @@ OneLine::OneLine(const Content& of) : content(of) {
       for (const core::Field*& field : one.fields) line_of(field);
 }
 
+core::Field field_of(const Array& array) {
+  const std::size_t lines = array.dims[0], length = array.dims[1];
+  const int nodes_y = lines == 1 ? 3 : static_cast<int>(lines);
+  core::Field field(static_cast<int>(length), nodes_y);
+  for (int i = 0; i < field.nodes_x(); ++i)
+    for (int j = 0; j < nodes_y; ++j)
+      field(i, j) = array.values[(lines == 1 ? 0 : static_cast<std::size_t>(j)) * length + static_cast<std::size_t>(i)];
+  return field;
+}
+
 }  // namespace ehl::results

@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "results/content.hpp"
+#include "results/read.hpp"
 
 namespace ehl::results {
 
@@ -15,5 +16,8 @@ struct OneLine {
   std::deque<core::Field> kept{};
   Content content;
 };
+
+/// A field that was read from a file, as computed: a single line of the file becomes three equal ones.
+core::Field field_of(const Array& array);
 
 }  // namespace ehl::results

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/pressure_coefficient.hpp"
 #include "rheology/temperature.hpp"
@@ -14,10 +14,6 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names of_data_sheet{"kv40", "kv100", "density15"};
-
-bool has(const deck::Part& lubricant, const std::string& name) {
-  return deck::value(lubricant.deck, lubricant.section, name).origin != deck::Origin::absent;
-}
 
 // [Pa s]
 double viscosity_at(const deck::Part& lubricant, double T, AmbientOil& ambient) {
@@ -49,7 +45,7 @@ void check_alpha_star(const deck::Part& lubricant, const Oil& oil) {
 
 // Roelands' law from alpha* at `T_alpha`, where the viscosity is eta_alpha. z does not depend on the temperature.
 void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alpha, bool same_temperature, Oil& oil) {
-  const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
+  const deck::Key& key = lubricant.key("z");
   const double z = roelands_z_of(alpha_star, oil.p0, eta_alpha);
   if (std::isnan(z)) {
     lubricant.complain(
@@ -71,56 +67,33 @@ void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alp
 }  // namespace
 
 std::vector<deck::Key> data_sheet_keys() {
+  using namespace deck::record;
   return {
-      {.name = "temperature",
-       .default_note = "40 for an oil by name whose viscosities at 40 and 100 C are known",
-       .unit = "C",
-       .range = {-273.15, 1000.0, true, false},
-       .meaning = "Temperature of oil and bodies. It is required with kv40 and kv100, with K00 and beta_K, and with "
-                  "viscosity = yasutomi, where it must lie above the glass transition Tg0. All other constants are "
-                  "values at the temperature of the contact.",
-       .example = "40"},
-      {.name = "kv40",
-       .unit = "mm^2/s",
-       .range = {least_kinematic_viscosity, 1e5},
-       .remedy = "in mm^2/s = cSt, as in data sheets",
-       .meaning = "Kinematic viscosity at 40 C. kv40, kv100, density15 and temperature replace eta0: the viscosity at "
-                  "the temperature follows from ASTM D341 (Walther).",
-       .source = "ASTM D341",
-       .example = "68"},
-      {.name = "kv100",
-       .unit = "mm^2/s",
-       .range = {least_kinematic_viscosity, 1e5},
-       .remedy = "in mm^2/s = cSt, as in data sheets",
-       .meaning = "Kinematic viscosity at 100 C. It must be below kv40.",
-       .source = "ASTM D341",
-       .example = "8.5"},
-      {.name = "density15",
-       .unit = "kg/m^3",
-       .range = {500.0, 3000.0},
-       .remedy = "oils have 800 to 1000 kg/m^3",
-       .meaning = "Density at 15 C. The density at the temperature follows with the thermal expansion of lubricating "
-                  "oils, 0.6278/density15 per kelvin.",
-       .source = "ASTM D1250, table 54D",
-       .example = "880"},
-      {.name = "alpha_star",
-       .unit = "1/Pa",
-       .range = {1e-12, 1e-6},
-       .remedy = "mineral oils have 1e-8 to 3e-8",
-       .meaning =
-           "Pressure coefficient alpha*, defined by 1/alpha* = int eta0/eta dp, instead of alpha, for viscosity = "
-           "barus and roelands. Roelands' z (without eta0: the slope) is chosen so that alpha* is met. Groups and film "
-           "formulas use alpha* as alpha. alpha is the slope of the law at ambient pressure, 5 to 25 % larger.",
-       .source = "Blok 1963; Bair, Liu and Wang 2006",
-       .example = "18e-9"},
-      {.name = "alpha_temperature",
-       .default_note = "temperature",
-       .unit = "C",
-       .range = {-273.15, 1000.0, true, false},
-       .meaning = "Temperature at which the oil has alpha_star, with kv40, kv100 and viscosity = roelands. z is the "
-                  "same at every temperature.",
-       .source = "Roelands 1966",
-       .example = "40"},
+      key("temperature", unit("C"), Range{-273.15, 1000.0, true, false}, example("40"),
+          otherwise("40 for an oil by name whose viscosities at 40 and 100 C are known"),
+          "Temperature of oil and bodies. It is required with kv40 and kv100, with K00 and beta_K, and with viscosity "
+          "= yasutomi, where it must lie above the glass transition Tg0. All other constants are values at the "
+          "temperature of the contact."),
+      key("kv40", unit("mm^2/s"), Range{least_kinematic_viscosity, 1e5}, example("68"),
+          "Kinematic viscosity at 40 C. kv40, kv100, density15 and temperature replace eta0: the viscosity at the "
+          "temperature follows from ASTM D341 (Walther).",
+          remedy("in mm^2/s = cSt, as in data sheets"), source("ASTM D341")),
+      key("kv100", unit("mm^2/s"), Range{least_kinematic_viscosity, 1e5}, example("8.5"),
+          "Kinematic viscosity at 100 C. It must be below kv40.", remedy("in mm^2/s = cSt, as in data sheets"),
+          source("ASTM D341")),
+      key("density15", unit("kg/m^3"), Range{500.0, 3000.0}, example("880"),
+          "Density at 15 C. The density at the temperature follows with the thermal expansion of lubricating oils, "
+          "0.6278/density15 per kelvin.",
+          remedy("oils have 800 to 1000 kg/m^3"), source("ASTM D1250, table 54D")),
+      key("alpha_star", unit("1/Pa"), Range{1e-12, 1e-6}, example("18e-9"),
+          "Pressure coefficient alpha*, defined by 1/alpha* = int eta0/eta dp, instead of alpha, for viscosity = barus "
+          "and roelands. Roelands' z (without eta0: the slope) is chosen so that alpha* is met. Groups and film "
+          "formulas use alpha* as alpha. alpha is the slope of the law at ambient pressure, 5 to 25 % larger.",
+          remedy("mineral oils have 1e-8 to 3e-8"), source("Blok 1963; Bair, Liu and Wang 2006")),
+      key("alpha_temperature", unit("C"), Range{-273.15, 1000.0, true, false}, example("40"), otherwise("temperature"),
+          "Temperature at which the oil has alpha_star, with kv40, kv100 and viscosity = roelands. z is the same at "
+          "every temperature.",
+          source("Roelands 1966")),
   };
 }
 
@@ -132,7 +105,7 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
                      "has no influence with viscosity = " + viscosity + ", which has its own constants: remove it",
                      deck::Cause::idle);
   bool any = false;
-  for (const std::string& name : of_data_sheet) any = any || (has(lubricant, name) && !brings_eta0);
+  for (const std::string& name : of_data_sheet) any = any || (lubricant.has(name) && !brings_eta0);
   if (!any && !lubricant.given("fluid") && viscosity != "yasutomi" && lubricant.given_of({"K00", "beta_K"}).empty())
     lubricant.refuse({"temperature"},
                      "has no influence: the constants are values at the temperature of the contact. Remove it, or give "
@@ -151,7 +124,7 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
 }
 
 void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
-  if (!has(lubricant, "alpha_star")) {
+  if (!lubricant.has("alpha_star")) {
     lubricant.refuse({"alpha_temperature"}, "has no influence: it is used only with alpha_star; remove it",
                      deck::Cause::idle);
     return;
@@ -162,7 +135,7 @@ void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
     lubricant.refuse({"alpha_temperature"},
                      "has no influence: it is used only with kv40, kv100 and viscosity = roelands; remove it",
                      deck::Cause::idle);
-  else if (!has(lubricant, "alpha_temperature"))
+  else if (!lubricant.has("alpha_temperature"))
     lubricant.choose("alpha_temperature", oil.ambient->T, "the temperature of the contact");
   check_oil_temperature(lubricant, "alpha_temperature");
   const double alpha_star = lubricant.number("alpha_star");

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "rheology/fluids.hpp"
 #include "rheology/keys.hpp"
 
@@ -30,20 +30,19 @@ void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
 }  // namespace
 
 deck::Key fluid_key() {
-  deck::Key key{.name = "fluid",
-                .default_note = "none: the oil is given by the keys of [lubricant]",
-                .meaning =
-                    "Oil by name: laws of viscosity and density with their constants. If its viscosities at two "
-                    "temperatures are known, `temperature` applies (default 40 C). A key that the oil sets may be "
-                    "repeated with the same value; another value, or a constant of another law, is an error."};
+  using namespace deck::record;
+  deck::Key made =
+      key("fluid", example("mineral-vg68"), otherwise("none: the oil is given by the keys of [lubricant]"),
+          "Oil by name: laws of viscosity and density with their constants. If its viscosities at two temperatures are "
+          "known, `temperature` applies (default 40 C). A key that the oil sets may be repeated with the same value; "
+          "another value, or a constant of another law, is an error.");
   for (const Fluid& fluid : fluids) {
-    key.words.emplace_back(fluid.name);
+    made.words.emplace_back(fluid.name);
     if (fluid.source.empty()) continue;
-    if (!key.source.empty()) key.source += "; ";
-    key.source.append(fluid.name).append(": ").append(fluid.about).append(" (").append(fluid.source).append(")");
+    if (!made.source.empty()) made.source += "; ";
+    made.source.append(fluid.name).append(": ").append(fluid.about).append(" (").append(fluid.source).append(")");
   }
-  key.example = "mineral-vg68";
-  return key;
+  return made;
 }
 
 void settle(const deck::Part& lubricant, const std::string& name, const std::string& text, const std::string& why) {
@@ -64,7 +63,7 @@ void settle(const deck::Part& lubricant, const std::string& name, const std::str
 
 void settle_at_temperature(const deck::Part& lubricant, const std::string& name, double value,
                            const std::string& from) {
-  const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, lubricant.section, name);
+  const deck::Key& key = lubricant.key(name);
   if (key.range.contains(value)) {
     settle(lubricant, name, deck::shortest(value), fmt::format("{} at {:g} C", from, lubricant.number("temperature")));
     deck::mark_following(lubricant.deck, lubricant.section, name);
@@ -77,7 +76,7 @@ void settle_at_temperature(const deck::Part& lubricant, const std::string& name,
 
 void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {
   for (const std::string& name : names)
-    if (deck::value(lubricant.deck, lubricant.section, name).origin == deck::Origin::absent)
+    if (!lubricant.has(name))
       lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "), deck::Cause::missing);
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "deck/file.hpp"
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "rheology/fluid_table.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/pressure_coefficient.hpp"
@@ -10,13 +10,6 @@
 
 namespace ehl::rheology {
 namespace {
-
-using deck::Key;
-using deck::Type;
-
-Key constant(const char* name, const char* unit, deck::Range range, const char* meaning, const char* example) {
-  return {.name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
-}
 
 using Names = std::vector<std::string>;
 
@@ -69,64 +62,59 @@ void add_table(const deck::Part& lubricant, bool viscosity, bool density, Liquid
   settle(lubricant, "eta0", deck::shortest(table.eta.front()), "the first row of the table");
 }
 
+deck::Records<YasutomiConstants> yasutomi_records() {
+  using namespace deck::record;
+  return deck::only_with<YasutomiConstants>(
+      needs("viscosity", {"yasutomi"}),
+      {key("Tg0", &YasutomiConstants::Tg0, unit("C"), Range{-273.15, 1000.0, true, false}, example("-83.2"),
+           "Glass transition temperature at ambient pressure, Tg = Tg0 + A1 ln(1 + A2 p)."),
+       key("A1", &YasutomiConstants::A1, unit("K"), up_to(1e12), example("188.95"),
+           "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p)."),
+       key("A2", &YasutomiConstants::A2, unit("1/Pa"), up_to(1e-6), example("0.719e-9"),
+           "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p)."),
+       key("b1", &YasutomiConstants::b1, unit("1/Pa"), Range{0.0, 1e-6}, example("8.2e-9"),
+           "Constant of F = (1 + b1 p)^b2."),
+       key("b2", &YasutomiConstants::b2, Range{-10.0, 0.0}, example("-0.53"), "Constant of F = (1 + b1 p)^b2."),
+       key("C1", &YasutomiConstants::C1, up_to(100.0), example("16.09"),
+           "First constant of the equation of Williams, Landel and Ferry."),
+       key("C2", &YasutomiConstants::C2, unit("K"), up_to(1e3), example("17.38"),
+           "Second constant of the equation of Williams, Landel and Ferry."),
+       key("eta_g", &YasutomiConstants::eta_g, unit("Pa s"), Range{1e3, 1e15}, example("1e12"),
+           "Viscosity at the glass transition.")});
+}
+
 YasutomiConstants read_yasutomi(const deck::Part& lubricant) {
-  const auto number = [&](const char* name) { return lubricant.number(name); };
-  return {.T = number("temperature"),
-          .Tg0 = number("Tg0"),
-          .A1 = number("A1"),
-          .A2 = number("A2"),
-          .b1 = number("b1"),
-          .b2 = number("b2"),
-          .C1 = number("C1"),
-          .C2 = number("C2"),
-          .eta_g = number("eta_g")};
+  YasutomiConstants constants = deck::read(lubricant, yasutomi_records());
+  constants.T = lubricant.number("temperature");
+  return constants;
 }
 
 }  // namespace
 
-std::vector<Key> liquid_keys() {
-  const deck::Range positive{0.0, 1e12, true, false};
+std::vector<deck::Key> liquid_keys() {
+  using namespace deck::record;
   return deck::together(
-      {{constant("K0", "Pa", {1e7, 1e12},
-                 "Bulk modulus at ambient pressure and at the temperature of the contact. Required for density = tait "
-                 "and murnaghan and for viscosity = doolittle.",
-                 "1.192e9"),
-        constant("K00", "Pa", {1e8, 1e14},
-                 "Factor of the bulk modulus against temperature: K0 = K00 exp(-beta_K T), T in kelvin. K00, beta_K "
-                 "and temperature replace K0.",
-                 "8.658e9"),
-        constant("beta_K", "1/K", {1e-5, 0.1},
-                 "Decay of the bulk modulus with temperature, see K00. Required with K00.", "6.332e-3"),
-        constant("K0_prime", "", {1.0, 50.0},
-                 "Derivative K0' of the bulk modulus with respect to pressure. Required with K0.", "11.74")},
+      {{key("K0", unit("Pa"), Range{1e7, 1e12}, example("1.192e9"),
+            "Bulk modulus at ambient pressure and at the temperature of the contact. Required for density = tait "
+            "and murnaghan and for viscosity = doolittle."),
+        key("K00", unit("Pa"), Range{1e8, 1e14}, example("8.658e9"),
+            "Factor of the bulk modulus against temperature: K0 = K00 exp(-beta_K T), T in kelvin. K00, beta_K "
+            "and temperature replace K0."),
+        key("beta_K", unit("1/K"), Range{1e-5, 0.1}, example("6.332e-3"),
+            "Decay of the bulk modulus with temperature, see K00. Required with K00."),
+        key("K0_prime", Range{1.0, 50.0}, example("11.74"),
+            "Derivative K0' of the bulk modulus with respect to pressure. Required with K0.")},
        deck::only_with(
            {.name = "viscosity", .words = {"doolittle"}},
-           {constant("doolittle_B", "", {0.0, 1e3, true, false}, "Doolittle's factor B.", "4.71"),
-            constant("doolittle_R0", "", {0.0, 1.0, true, true},
-                     "Occupied volume R0 over the volume at ambient pressure, at the temperature of the contact.",
-                     "0.6568")}),
-       deck::only_with(
-           {.name = "viscosity", .words = {"yasutomi"}},
-           {constant("Tg0", "C", {-273.15, 1000.0, true, false},
-                     "Glass transition temperature at ambient pressure, Tg = Tg0 + A1 ln(1 + A2 p).", "-83.2"),
-            constant("A1", "K", positive, "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"),
-            constant("A2", "1/Pa", {0.0, 1e-6, true, false},
-                     "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"),
-            constant("b1", "1/Pa", {0.0, 1e-6}, "Constant of F = (1 + b1 p)^b2.", "8.2e-9"),
-            constant("b2", "", {-10.0, 0.0}, "Constant of F = (1 + b1 p)^b2.", "-0.53"),
-            constant("C1", "", {0.0, 100.0, true, false},
-                     "First constant of the equation of Williams, Landel and Ferry.", "16.09"),
-            constant("C2", "K", {0.0, 1e3, true, false},
-                     "Second constant of the equation of Williams, Landel and Ferry.", "17.38"),
-            constant("eta_g", "Pa s", {1e3, 1e15}, "Viscosity at the glass transition.", "1e12")}),
-       {{.name = "table",
-         .type = Type::text,
-         .meaning = "CSV file with the columns p [Pa], rising from 0, eta [Pa s] and rho [kg/m^3]; a heading may give "
-                    "another order and other units, such as p [MPa], eta [mPa s]. For viscosity = table, density = "
-                    "table, or both. It needs at least 4 rows with eta and rho > 0 and rising, up to more than p_h. "
-                    "The file is searched beside the deck and in the working folder.",
-         .example = "oil.csv",
-         .names = deck::Names::file}}});
+           {key("doolittle_B", up_to(1e3), example("4.71"), "Doolittle's factor B."),
+            key("doolittle_R0", Range{0.0, 1.0, true, true}, example("0.6568"),
+                "Occupied volume R0 over the volume at ambient pressure, at the temperature of the contact.")}),
+       deck::keys_of("lubricant", yasutomi_records()),
+       {key("table", example("oil.csv"), file,
+            "CSV file with the columns p [Pa], rising from 0, eta [Pa s] and rho [kg/m^3]; a heading may give another "
+            "order and other units, such as p [MPa], eta [mPa s]. For viscosity = table, density = table, or both. It "
+            "needs at least 4 rows with eta and rho > 0 and rising, up to more than p_h. The file is searched beside "
+            "the deck and in the working folder.")}});
 }
 
 Liquid read_liquid(const deck::Part& lubricant) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/laws.hpp"
 
@@ -17,10 +17,6 @@ const Names by_slope{"beta"}, by_second{"T_second", "eta_second"}, by_vogel{"vog
 const Names of_volume{"volume_expansion", "modulus_decay", "occupied_expansion"};
 // Density of a typical mineral oil, used if no key gives one [kg/m^3].
 constexpr double usual_density = 870.0;
-
-bool has(const deck::Part& part, const std::string& name) {
-  return deck::value(part.deck, part.section, name).origin != deck::Origin::absent;
-}
 
 // A number for each of the names, or NaN.
 std::vector<double> numbers(const deck::Part& part, const Names& names) {
@@ -53,7 +49,7 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
   for (const Names* names : {&by_slope, &by_second, &by_vogel})
     for (const std::string& name : *names)
       if (thermal.given(name)) given.push_back(name);
-  if (has(lubricant, "kv40")) {
+  if (lubricant.has("kv40")) {
     thermal.refuse(given, "must not be given: kv40 and kv100 give the viscosity at every temperature; remove it");
     return DataSheet{make_walther(lubricant.number("kv40"), lubricant.number("kv100")), lubricant.number("density15")};
   }
@@ -103,110 +99,85 @@ void read_viscosity(const deck::Part& thermal, WarmOil& oil) {
     thermal.refuse(of_volume, "has no influence with viscosity = " + law + ": remove it", deck::Cause::idle);
     return;
   }
-  const bool known = has(lubricant, "beta_K");
+  const bool known = lubricant.has("beta_K");
   if (known) settle(thermal, "modulus_decay", lubricant.word("beta_K"), "[lubricant] beta_K");
   demand(thermal, of_volume, "viscosity = doolittle with [thermal]");
   oil.constants.volume = {thermal.number("volume_expansion"), thermal.number("modulus_decay")};
   oil.constants.occupied_expansion = thermal.number("occupied_expansion");
 }
 
-deck::Key number_key(const char* name, const char* unit, deck::Range range, const char* meaning, const char* example) {
-  return {.name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
-}
-
 std::vector<deck::Key> viscosity_keys() {
+  using namespace deck::record;
   return {
-      number_key("beta", "1/K", {1e-4, 0.3},
-                 "Temperature coefficient -d ln(eta)/dT at ambient pressure and T_oil, for barus (exponential) and "
-                 "roelands (S0 of Roelands and Houpert). T_second and eta_second, or vogel_B and vogel_C, may be given "
-                 "instead. kv40 with kv100, doolittle and yasutomi have their own.",
-                 "0.04"),
-      number_key("T_second", "C", {coldest_oil, hottest_oil},
-                 "Second temperature, other than T_oil, at which the viscosity is eta_second.", "100"),
-      number_key("eta_second", "Pa s", {0.0, 1e6, true, false}, "Viscosity at ambient pressure and T_second.", "0.007"),
-      number_key("vogel_B", "K", {1.0, 1e4}, "Constant B of Vogel's law eta = A exp[B/(T - C)].", "900"),
-      number_key("vogel_C", "C", {-273.15, -40.0},
-                 "Constant C of Vogel's law, at which the viscosity is infinite, in degrees Celsius.", "-110"),
-      number_key("volume_expansion", "1/K", {1e-5, 1e-2},
-                 "For viscosity = doolittle: relative growth of the volume V0 per kelvin.", "8.4e-4"),
-      number_key("modulus_decay", "1/K", {1e-5, 0.1},
-                 "For viscosity = doolittle: decay of the bulk modulus, K0 proportional to exp(-modulus_decay T). It "
-                 "equals [lubricant] beta_K if that is given.",
-                 "6.332e-3"),
-      number_key("occupied_expansion", "1/K", {-1e-2, 1e-2},
-                 "For viscosity = doolittle: relative growth of the occupied volume R0 per kelvin.", "-7.3e-4"),
+      key("beta", unit("1/K"), Range{1e-4, 0.3}, example("0.04"),
+          "Temperature coefficient -d ln(eta)/dT at ambient pressure and T_oil, for barus (exponential) and "
+          "roelands (S0 of Roelands and Houpert). T_second and eta_second, or vogel_B and vogel_C, may be given "
+          "instead. kv40 with kv100, doolittle and yasutomi have their own."),
+      key("T_second", unit("C"), Range{coldest_oil, hottest_oil}, example("100"),
+          "Second temperature, other than T_oil, at which the viscosity is eta_second."),
+      key("eta_second", unit("Pa s"), up_to(1e6), example("0.007"), "Viscosity at ambient pressure and T_second."),
+      key("vogel_B", unit("K"), Range{1.0, 1e4}, example("900"), "Constant B of Vogel's law eta = A exp[B/(T - C)]."),
+      key("vogel_C", unit("C"), Range{-273.15, -40.0}, example("-110"),
+          "Constant C of Vogel's law, at which the viscosity is infinite, in degrees Celsius."),
+      key("volume_expansion", unit("1/K"), Range{1e-5, 1e-2}, example("8.4e-4"),
+          "For viscosity = doolittle: relative growth of the volume V0 per kelvin."),
+      key("modulus_decay", unit("1/K"), Range{1e-5, 0.1}, example("6.332e-3"),
+          "For viscosity = doolittle: decay of the bulk modulus, K0 proportional to exp(-modulus_decay T). It "
+          "equals [lubricant] beta_K if that is given."),
+      key("occupied_expansion", unit("1/K"), Range{-1e-2, 1e-2}, example("-7.3e-4"),
+          "For viscosity = doolittle: relative growth of the occupied volume R0 per kelvin."),
   };
 }
 
-std::vector<deck::Key> property_keys() {
+deck::Records<WarmOil> property_records() {
+  using namespace deck::record;
   return {
-      {.name = "k",
-       .default_text = "0.14",
-       .unit = "W/(m K)",
-       .range = {0.01, 10.0},
-       .remedy = "oils have 0.11 to 0.17 W/(m K)",
-       .meaning = "Thermal conductivity of the oil at ambient pressure.",
-       .source = "paraffinic mineral oil: Larsson and Andersson 2000, 0.137"},
-      {.name = "c",
-       .default_text = "2000",
-       .unit = "J/(kg K)",
-       .range = {200.0, 1e4},
-       .remedy = "oils have 1700 to 2400 J/(kg K)",
-       .meaning = "Specific heat capacity of the oil at ambient pressure.",
-       .source = "the same oil: rho c = 1.71e6 J/(m^3 K)"},
-      {.name = "rho",
-       .default_note = "from density15 if that is given, else 870",
-       .unit = "kg/m^3",
-       .range = {500.0, 3000.0},
-       .remedy = "oils have 800 to 1000 kg/m^3",
-       .meaning = "Density of the oil at ambient pressure and T_oil, for the heat that it carries.",
-       .example = "870"},
-      {.name = "properties",
-       .default_text = "larsson-andersson",
-       .words = {"larsson-andersson", "constant"},
-       .meaning = "How k and rho c depend on pressure. larsson-andersson: they grow as those of a mineral oil, at 1 "
-                  "GPa to 2.1 times k and 1.3 times rho c. constant: they do not.",
-       .source = "Larsson and Andersson, Proc. IMechE J 214, 2000"},
-      {.name = "expansion",
-       .default_text = "6.5e-4",
-       .unit = "1/K",
-       .range = {0.0, 5e-3},
-       .meaning = "Thermal expansion coefficient of the oil, -d ln(rho)/dT.",
-       .source = "mineral oils, 6.3e-4 to 7.5e-4: ASTM D1250"},
+      key("k", &WarmOil::k, unit("W/(m K)"), Range{0.01, 10.0}, by_default("0.14"),
+          "Thermal conductivity of the oil at ambient pressure.", remedy("oils have 0.11 to 0.17 W/(m K)"),
+          source("paraffinic mineral oil: Larsson and Andersson 2000, 0.137")),
+      key("c", &WarmOil::c, unit("J/(kg K)"), Range{200.0, 1e4}, by_default("2000"),
+          "Specific heat capacity of the oil at ambient pressure.", remedy("oils have 1700 to 2400 J/(kg K)"),
+          source("the same oil: rho c = 1.71e6 J/(m^3 K)")),
+      key("rho", &WarmOil::rho, unit("kg/m^3"), Range{500.0, 3000.0}, example("870"),
+          otherwise("from density15 if that is given, else 870"),
+          "Density of the oil at ambient pressure and T_oil, for the heat that it carries.",
+          remedy("oils have 800 to 1000 kg/m^3")),
+      key("properties", &WarmOil::follows_pressure, {{"larsson-andersson", true}, {"constant", false}}, own_default,
+          "How k and rho c depend on pressure. larsson-andersson: they grow as those of a mineral oil, at 1 GPa to 2.1 "
+          "times k and 1.3 times rho c. constant: they do not.",
+          source("Larsson and Andersson, Proc. IMechE J 214, 2000")),
+      key("expansion", &WarmOil::expansion, unit("1/K"), Range{0.0, 5e-3}, by_default("6.5e-4"),
+          "Thermal expansion coefficient of the oil, -d ln(rho)/dT.",
+          source("mineral oils, 6.3e-4 to 7.5e-4: ASTM D1250")),
   };
 }
 
 }  // namespace
 
 std::vector<deck::Key> warm_oil_keys() {
-  const std::vector<deck::Key> first{{.name = "T_oil",
-                                      .default_note = "[lubricant] temperature, if that is given",
-                                      .unit = "C",
-                                      .range = {coldest_oil, hottest_oil},
-                                      .remedy = "is it in kelvin or in degrees Fahrenheit?",
-                                      .meaning = "Temperature of the oil that enters the contact. eta0, alpha and the "
-                                                 "other constants of the oil are values at this temperature.",
-                                      .example = "40"}};
-  return deck::in_section("thermal", deck::together({first, viscosity_keys(), property_keys()}));
+  using namespace deck::record;
+  const deck::Key T_oil = key("T_oil", unit("C"), Range{coldest_oil, hottest_oil}, example("40"),
+                              otherwise("[lubricant] temperature, if that is given"),
+                              "Temperature of the oil that enters the contact. eta0, alpha and the other "
+                              "constants of the oil are values at this temperature.",
+                              remedy("is it in kelvin or in degrees Fahrenheit?"));
+  return deck::together({deck::in_section("thermal", deck::together({std::vector<deck::Key>{T_oil}, viscosity_keys()})),
+                         deck::keys_of("thermal", property_records())});
 }
 
 WarmOil read_warm_oil(deck::Deck& deck) {
   const deck::Part thermal{deck, "thermal"}, lubricant{deck, "lubricant"};
   WarmOil oil;
-  if (has(lubricant, "temperature"))
+  if (lubricant.has("temperature"))
     settle(thermal, "T_oil", deck::shortest(lubricant.number("temperature")), "[lubricant] temperature");
   else
     demand(thermal, {"T_oil"}, "[thermal]");
   oil.constants.T0 = thermal.number("T_oil") + zero_celsius;
-  if (has(lubricant, "density15"))
+  if (lubricant.has("density15"))
     thermal.fill("rho", oil_density(lubricant.number("density15"), thermal.number("T_oil")), "density15 at T_oil");
   thermal.fill("rho", usual_density, "typical of mineral oils");
   read_viscosity(thermal, oil);
-  oil.k = thermal.number("k");
-  oil.c = thermal.number("c");
-  oil.rho = thermal.number("rho");
-  oil.expansion = thermal.number("expansion");
-  oil.follows_pressure = thermal.word("properties") == "larsson-andersson";
+  deck::read(thermal, property_records(), oil);
   return oil;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/keys.hpp"
 #include "steady/resolution.hpp"
@@ -13,80 +13,57 @@
 namespace ehl::steady {
 
 std::vector<deck::Key> grid_keys() {
-  const std::string remedy = "the domain must contain the contact; a circular contact has radius 1";
+  using namespace deck::record;
+  const auto contains = remedy("the domain must contain the contact; a circular contact has radius 1");
   return deck::together(
       {deck::in_section(
            "domain",
-           {{.name = "x_inlet",
-             .default_note = "chosen so that the end of the domain changes the film by less than about 0.6 %, with "
-                             "far_field = closed far less",
-             .range = {-1000.0, 0.0, false, true},
-             .remedy = remedy,
-             .meaning = "Position of the inlet boundary in Hertz radii. It must lie outside the contact. Light loads "
-                        "need a longer inlet.",
-             .example = "-4.5"},
-            {.name = "x_outlet",
-             .default_note = "1.5 half lengths of the contact; 3 or more for light loads",
-             .range = {0.0, 1000.0, true, false},
-             .remedy = remedy,
-             .meaning = "Position of the outlet boundary in Hertz radii. It must lie outside the contact.",
-             .source = "Venner and ten Napel 1992: -4.5 to 1.5",
-             .example = "1.5"},
-            {.name = "y_half",
-             .default_note = "circle: half the length of the domain, or 1.25 times that with far_field = closed; "
-                             "ellipse: to where the gap is as wide as at the inlet; roller: half of its length",
-             .range = {0.0, 1e6, true, false},
-             .remedy = remedy,
-             .meaning = "Half width of the domain in Hertz radii. The sides must lie outside the contact.",
-             .source = "Venner and ten Napel 1992: -3 to 3",
-             .example = "3"},
-            {.name = "far_field",
-             .default_text = "closed",
-             .words = {"closed", "zero"},
-             .meaning = "Pressure on the boundary of the domain, and load outside of it. closed: those of nearly rigid "
-                        "bodies, in closed form. zero: none, as in the paper. A load that jumps in time, or changes by "
-                        "more than twice its size within a/u_m, requires zero; so do rollers, line contacts in time, "
-                        "and a conserved oil content ([supply]). If the key is left out, zero is taken there, for "
-                        "[body], and for an ellipse whose load changes by more than half of its size within a/u_m.",
-             .source = "modules/reynolds/README.md"}}),
+           {key("x_inlet", Range{-1000.0, 0.0, false, true}, example("-4.5"),
+                otherwise("chosen so that the end of the domain changes the film by less than about 0.6 %, with "
+                          "far_field = closed far less"),
+                "Position of the inlet boundary in Hertz radii. It must lie outside the contact. Light loads need a "
+                "longer inlet.",
+                contains),
+            key("x_outlet", up_to(1000.0), example("1.5"),
+                otherwise("1.5 half lengths of the contact; 3 or more for light loads"),
+                "Position of the outlet boundary in Hertz radii. It must lie outside the contact.", contains,
+                source("Venner and ten Napel 1992: -4.5 to 1.5")),
+            key("y_half", up_to(1e6), example("3"),
+                otherwise("circle: half the length of the domain, or 1.25 times that with far_field = closed; ellipse: "
+                          "to where the gap is as wide as at the inlet; roller: half of its length"),
+                "Half width of the domain in Hertz radii. The sides must lie outside the contact.", contains,
+                source("Venner and ten Napel 1992: -3 to 3")),
+            key("far_field", by_default("closed"), words({"closed", "zero"}),
+                "Pressure on the boundary of the domain, and load outside of it. closed: those of nearly rigid bodies, "
+                "in closed form. zero: none, as in the paper. A load that jumps in time, or changes by more than twice "
+                "its size within a/u_m, requires zero; so do rollers, line contacts in time, and a conserved oil "
+                "content ([supply]). If the key is left out, zero is taken there, for [body], and for an ellipse whose "
+                "load changes by more than half of its size within a/u_m.",
+                source("modules/reynolds/README.md"))}),
        deck::in_section(
            "grid",
-           {{.name = "cells",
-             .type = deck::Type::integer,
-             .default_note =
-                 "the first of 256, 512 and 1024 that resolves the film; line contacts and ellipses may get more",
-             .range = {16, 1048576},
-             .remedy = "the number of cells along x of the finest grid, e.g. 256",
-             .meaning =
-                 "Number of cells along x of the finest grid: that of the coarsest grid times a power of two. The "
-                 "number along y follows from the domain so that the cells are nearly square. If the contact is more "
-                 "than 7 times as wide (y) as long (x), the cells are twice as wide as long; if it is at least 6 times "
-                 "as long as wide and not oblique, they are 4, 8 or 16 times as long as wide.",
-             .example = "256"},
-            {.name = "coarsest",
-             .type = deck::Type::integer,
-             .default_note = "chosen for the case",
-             .range = {4, 4096},
-             .meaning = "Number of cells along x of the coarsest grid.",
-             .example = "32"},
-            {.name = "errors",
-             .default_text = "adjoint",
-             .words = {"adjoint", "levels"},
-             .meaning = "How the discretization errors of Hc and Hm are estimated. adjoint: truncation error of a "
-                        "coarser grid, weighted by the adjoint solutions of Hc and Hm; only with wedge = upstream3 and "
-                        "without [supply]. levels: from the results of the sequence of grids. Line contacts always use "
-                        "levels; for them, adjoint adds only the maps error_Hc and error_Hm of [output] fields.",
-             .source = "modules/adjoint/README.md"},
-            {.name = "accuracy",
-             .default_note = "none: the grid is given or chosen",
-             .range = {1e-6, 0.5},
-             .remedy = "a relative error, e.g. 0.01",
-             .meaning = "Relative error of Hc and Hm to reach, instead of cells. The run refines the grid until the "
-                        "estimated error is below this value, up to 8192 cells and half of the free memory. With "
-                        "far_field = zero it also extends the domain, unless x_inlet or y_half is given; the error of "
-                        "a given domain is reported, but not counted.",
-             .source = "modules/steady/README.md",
-             .example = "0.01"}})});
+           {key("cells", integer, Range{16, 1048576}, example("256"),
+                otherwise(
+                    "the first of 256, 512 and 1024 that resolves the film; line contacts and ellipses may get more"),
+                "Number of cells along x of the finest grid: that of the coarsest grid times a power of two. The "
+                "number along y follows from the domain so that the cells are nearly square. If the contact is more "
+                "than 7 times as wide (y) as long (x), the cells are twice as wide as long; if it is at least 6 times "
+                "as long as wide and not oblique, they are 4, 8 or 16 times as long as wide.",
+                remedy("the number of cells along x of the finest grid, e.g. 256")),
+            key("coarsest", integer, Range{4, 4096}, example("32"), otherwise("chosen for the case"),
+                "Number of cells along x of the coarsest grid."),
+            key("errors", by_default("adjoint"), words({"adjoint", "levels"}),
+                "How the discretization errors of Hc and Hm are estimated. adjoint: truncation error of a coarser "
+                "grid, weighted by the adjoint solutions of Hc and Hm; only with wedge = upstream3 and without "
+                "[supply]. levels: from the results of the sequence of grids. Line contacts always use levels; for "
+                "them, adjoint adds only the maps error_Hc and error_Hm of [output] fields.",
+                source("modules/adjoint/README.md")),
+            key("accuracy", Range{1e-6, 0.5}, example("0.01"), otherwise("none: the grid is given or chosen"),
+                "Relative error of Hc and Hm to reach, instead of cells. The run refines the grid until the estimated "
+                "error is below this value, up to 8192 cells and half of the free memory. With far_field = zero it "
+                "also extends the domain, unless x_inlet or y_half is given; the error of a given domain is reported, "
+                "but not counted.",
+                remedy("a relative error, e.g. 0.01"), source("modules/steady/README.md"))})});
 }
 
 namespace {
@@ -277,12 +254,11 @@ bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellip
   const bool unsure = contact::circular(shape) ? steep : steepest_load > tuning.too_steep_for_ellipses;
   const deck::Part domain{deck, "domain"};
   if (steep && domain.given("far_field") && closed(domain))
-    domain.complain(
-        "far_field",
-        fmt::format("the load of [transient] {}, and far_field = closed allows at most {:g} times the contact's load "
-                    "within a/u_m: set zero",
-                    std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load),
-                    tuning.too_steep));
+    domain.complain("far_field",
+                    fmt::format("the load of [transient] {}, and far_field = closed allows at most {:g} times the "
+                                "contact's load within a/u_m: set zero",
+                                std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load),
+                                tuning.too_steep));
   // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
   if (unsure || body_moves)
     domain.follow("far_field", std::string("zero"), unsure ? "the load changes fast in time" : "a body moves");

@@ -6,68 +6,57 @@
 #include <limits>
 
 #include "deck/file.hpp"
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "deck/text_table.hpp"
 #include "transient/keys.hpp"
 
 namespace ehl::transient {
 
-using deck::Key;
-using deck::Type;
-
-std::vector<Key> drive_keys() {
-  const auto key = [](const char* name, const char* note, const char* meaning, const char* example) -> Key {
-    return {.name = name,
-            .type = Type::text,
-            .default_note = note,
-            .meaning = meaning,
-            .example = example,
-            .names = deck::Names::file_or_list};
+std::vector<deck::Key> drive_keys() {
+  using namespace deck::record;
+  const auto schedule = [](const char* name, const char* note, const char* meaning, const char* shown) {
+    return key(name, deck::Names::file_or_list, otherwise(note), example(shown), meaning);
   };
   const char* const of_motion = "constant: from [motion], else 1";
   return {
-      key("load", "constant",
+      schedule(
+          "load", "constant",
           "Load over that of [contact] against time: 'time:value ...', linear between the times; a time given twice is "
           "a jump. Or the name of a text file with the columns t and load, in the working folder or beside the deck; "
           "its heading may name the unit of t.",
           "1:1 1.1:1.3"),
-      key("load_wave", "none",
-          "Oscillating load, 'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - "
-          "start)/period).",
-          "0.3 2"),
-      key("u1", of_motion,
+      schedule("load_wave", "none",
+               "Oscillating load, 'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - "
+               "start)/period).",
+               "0.3 2"),
+      schedule(
+          "u1", of_motion,
           "Speed of surface 1 over the entrainment speed u_m of [motion] (of M and L without [motion]), written like "
           "load. The film moves with (u1 + u2)/2, which must not be negative.",
           "1:1 2:0 3:0 4:1"),
-      key("u1_wave", "none", "Oscillation of u1, written like load_wave.", "0.5 4"),
-      key("u2", of_motion, "Speed of surface 2, written like u1.", "1:1 2:0 3:0 4:1"),
-      key("u2_wave", "none", "Oscillation of u2, written like load_wave.", "0.5 4"),
-      key("supply", "constant",
+      schedule("u1_wave", "none", "Oscillation of u1, written like load_wave.", "0.5 4"),
+      schedule("u2", of_motion, "Speed of surface 2, written like u1.", "1:1 2:0 3:0 4:1"),
+      schedule("u2_wave", "none", "Oscillation of u2, written like load_wave.", "0.5 4"),
+      schedule(
+          "supply", "constant",
           "Supplied oil over that of [supply] against time, written like load; it must be 1 at time 0. A layer on a "
           "surface arrives with the speed of that surface; a given flow is a thicker layer when the motion is slower.",
           "1:1 2:0.3"),
-      key("supply_wave", "none", "Oscillation of supply, written like load_wave.", "0.3 2")};
+      schedule("supply_wave", "none", "Oscillation of supply, written like load_wave.", "0.3 2")};
 }
 
-std::vector<Key> body_keys() {
+std::vector<deck::Key> body_keys() {
+  using namespace deck::record;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr deck::Range positive{0.0, infinity, true, true};
-  const auto key = [&](const char* name, const char* note, const deck::Range& range, const char* meaning,
-                       const char* example) -> Key {
-    return {.name = name, .default_note = note, .range = range, .meaning = meaning, .example = example};
-  };
-  const Key mass =
-      key("mass", "none: the load is prescribed", positive,
-          "Mass of the moving body, in F R/u_m^2. H00 then follows mass H00'' + damping H00' = load that the film "
-          "carries - load that acts, both over the load of [contact]. The load that acts may be zero.",
-          "2");
-  const Key damping = key("damping", "0", {0.0, infinity}, "Damping of the moving body, in F R/(a u_m).", "0.1");
-  const Key gap = key("gap", "none: the run starts from the steady film", positive,
-                      "H00 at time 0, in a^2/R: the bodies start separated, without pressure.", "2");
-  const Key velocity = key("velocity", "0", {-infinity, infinity},
-                           "H00' at time 0, in a u_m/R. A negative value means that the bodies approach.", "-1");
-  return {mass, in_SI(mass, "_kg", "kg", "0.1"), damping,  in_SI(damping, "_Nspm", "N s/m", "100"),
-          gap,  in_SI(gap, "_m", "m", "1e-6"),   velocity, in_SI(velocity, "_mps", "m/s", "-0.1")};
+  return {key("mass", in_SI("_kg", "kg", "0.1"), positive, otherwise("none: the load is prescribed"), example("2"),
+              "Mass of the moving body, in F R/u_m^2. H00 then follows mass H00'' + damping H00' = load that the film "
+              "carries - load that acts, both over the load of [contact]. The load that acts may be zero."),
+          key("damping", in_SI("_Nspm", "N s/m", "100"), Range{0.0, infinity}, otherwise("0"), example("0.1"),
+              "Damping of the moving body, in F R/(a u_m)."),
+          key("gap", in_SI("_m", "m", "1e-6"), positive, otherwise("none: the run starts from the steady film"),
+              example("2"), "H00 at time 0, in a^2/R: the bodies start separated, without pressure."),
+          key("velocity", in_SI("_mps", "m/s", "-0.1"), Range{-infinity, infinity}, otherwise("0"), example("-1"),
+              "H00' at time 0, in a u_m/R. A negative value means that the bodies approach.")};
 }
 
 namespace {
@@ -174,8 +163,8 @@ std::string reversed(const deck::Part& part, double time) {
       time, unit);
   if (end <= 0.0) return what + "Reverse x and both speeds, so that the oil enters at negative x";
   return what + fmt::format(
-                    "Run the strokes one by one: this one with end_time = {:g}, the return stroke in a deck of "
-                    "its own that begins after the reversal, with x and both speeds reversed",
+                    "Run the strokes one by one: this one with end_time = {:g}, the return stroke in a deck of its own "
+                    "that begins after the reversal, with x and both speeds reversed",
                     end);
 }
 

@@ -3,95 +3,73 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 
 namespace ehl::transient {
 namespace {
 
-using deck::Key;
-using deck::Type;
-
-constexpr deck::Range positive{0.0, std::numeric_limits<double>::infinity(), true, true};
-
-std::vector<Key> time_keys() {
+deck::Records<MarchParameters> time_records() {
+  using namespace deck::record;
   return {
-      {.name = "end_time",
-       .range = positive,
-       .remedy = "the time at which the run ends",
-       .meaning = "Time at which the run ends, in units of time_unit. The run starts from the steady solution at time "
-                  "0. Without this key the contact is steady.",
-       .example = "5"},
-      {.name = "time_unit",
-       .default_text = "contact",
-       .words = {"contact", "seconds"},
-       .meaning = "Unit of all times of this section. contact: a/u_m, the time in which the oil crosses half of the "
-                  "contact. seconds: needs a contact in SI."},
-      {.name = "cavitation",
-       .default_note = "content with [supply], else pressure",
-       .words = {"pressure", "content"},
-       .meaning = "Model of the region with P = 0. pressure: the gap is taken as full of oil. content: the oil content "
-                  "of the gap is an unknown that moves with the surfaces, and mass is conserved. A steady contact with "
-                  "a flooded inlet has the same film with both; they differ when a rapidly rising load pressurizes the "
-                  "cavitated region.",
-       .source = "modules/transient/README.md"},
-      {.name = "rtol",
-       .default_text = "1e-4",
-       .range = {1e-7, 1e-1},
-       .meaning = "Relative tolerance of pressure and film in the error test of the time integration.",
-       .source = "modules/transient/README.md"},
-      {.name = "max_step",
-       .default_note = "follows from what varies: a quarter of the time in which a feature passes, a quarter of a ramp "
-                       "(one shorter than 0.04 a/u_m counts only while it lasts), a twentieth of a period",
-       .range = positive,
-       .meaning = "Largest time step.",
-       .example = "0.05"},
-      {.name = "max_steps",
-       .type = Type::integer,
-       .default_text = "100000",
-       .range = {1, 100000000},
-       .meaning = "Largest number of time steps. A run that needs more fails."},
-      {.name = "output_interval",
-       .default_note = "none: the fields of the first and the last time only",
-       .range = positive,
-       .remedy = "a longer interval keeps fewer fields",
-       .meaning = "Time between two stored fields of P and H. The values of every step are always stored.",
-       .example = "0.1"},
+      key("end_time", positive, example("5"),
+          "Time at which the run ends, in units of time_unit. The run starts from the steady solution at time 0. "
+          "Without this key the contact is steady.",
+          remedy("the time at which the run ends")),
+      key("time_unit", by_default("contact"), words({"contact", "seconds"}),
+          "Unit of all times of this section. contact: a/u_m, the time in which the oil crosses half of the contact. "
+          "seconds: needs a contact in SI."),
+      key("cavitation", words({"pressure", "content"}), otherwise("content with [supply], else pressure"),
+          "Model of the region with P = 0. pressure: the gap is taken as full of oil. content: the oil content of the "
+          "gap is an unknown that moves with the surfaces, and mass is conserved. A steady contact with a flooded "
+          "inlet has the same film with both; they differ when a rapidly rising load pressurizes the cavitated region.",
+          source("modules/transient/README.md")),
+      key("rtol", &MarchParameters::rtol, Range{1e-7, 1e-1}, by_default("1e-4"),
+          "Relative tolerance of pressure and film in the error test of the time integration.",
+          source("modules/transient/README.md")),
+      key("max_step", &MarchParameters::longest_step, positive, example("0.05"),
+          otherwise("follows from what varies: a quarter of the time in which a feature passes, a quarter of a ramp "
+                    "(one shorter than 0.04 a/u_m counts only while it lasts), a twentieth of a period"),
+          "Largest time step."),
+      key("max_steps", &MarchParameters::most_steps, Range{1, 100000000}, by_default("100000"),
+          "Largest number of time steps. A run that needs more fails."),
+      key("output_interval", &MarchParameters::output_interval, positive, example("0.1"),
+          otherwise("none: the fields of the first and the last time only"),
+          "Time between two stored fields of P and H. The values of every step are always stored.",
+          remedy("a longer interval keeps fewer fields")),
   };
 }
 
-std::vector<Key> stop_keys() {
+deck::Records<MarchParameters> stop_records() {
+  using namespace deck::record;
   return {
-      {.name = "stop_film",
-       .default_note = "none",
-       .range = positive,
-       .meaning = "The run ends when the minimum film falls to this value, H = hR/a^2.",
-       .example = "0.02"},
-      {.name = "stop_steady",
-       .default_note = "none",
-       .range = {1e-12, 0.1},
-       .meaning = "The run ends when Hc, Hm and P_max have changed by less than this relative value during a/u_m.",
-       .example = "1e-6"},
+      key("stop_film", &MarchParameters::stop_film, positive, example("0.02"), otherwise("none"),
+          "The run ends when the minimum film falls to this value, H = hR/a^2."),
+      key("stop_steady", &MarchParameters::stop_steady, Range{1e-12, 0.1}, example("1e-6"), otherwise("none"),
+          "The run ends when Hc, Hm and P_max have changed by less than this relative value during a/u_m."),
   };
 }
 
-std::vector<Key> output_keys() {
-  return {{.name = "checkpoint",
-           .default_note = "60 for a run in time",
-           .unit = "s",
-           .range = positive,
-           .meaning = "Wall-clock time between two checkpoints of a run in time. `ehl resume` continues from the last "
-                      "checkpoint in the result file.",
-           .example = "60"},
-          {.name = "probe",
-           .type = Type::text,
-           .default_note = "none",
-           .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time stores P and H at every step, as "
-                      "the columns P_1, H_1, P_2, ... of /transient. The value is that of the node at the point, else "
-                      "bicubic interpolation with P >= 0.",
-           .example = "0 0, 0.7 0.2"}};
+deck::Records<Input> output_records() {
+  using namespace deck::record;
+  return {key("checkpoint", &Input::seconds_between_checkpoints, unit("s"), positive, example("60"),
+              otherwise("60 for a run in time"),
+              "Wall-clock time between two checkpoints of a run in time. `ehl resume` continues from the last "
+              "checkpoint in the result file."),
+          key("probe", text, example("0 0, 0.7 0.2"), otherwise("none"),
+              "Points 'X Y, X Y, ...' in Hertz radii at which a run in time stores P and H at every step, as the "
+              "columns P_1, H_1, P_2, ... of /transient. The value is that of the node at the point, else bicubic "
+              "interpolation with P >= 0.")};
+}
+
+const deck::Condition in_time{.name = "end_time", .section = "transient"};
+
+deck::Records<MarchParameters> march_records() {
+  const std::vector<deck::Key> drive = drive_keys();
+  return deck::only_with<MarchParameters>(
+      {.name = "end_time"},
+      deck::together<deck::Record<MarchParameters>>({time_records(), {drive.begin(), drive.end()}, stop_records()}));
 }
 
 std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid) {
@@ -134,11 +112,9 @@ double unit_of_time(const deck::Part& transient, const Scales& scales) {
 
 }  // namespace
 
-std::vector<Key> keys() {
-  const deck::Condition in_time{.name = "end_time", .section = "transient"};
-  const std::vector<Key> of_transient = deck::together({time_keys(), drive_keys(), stop_keys()});
-  return deck::together({deck::in_section("transient", deck::only_with({.name = "end_time"}, of_transient)),
-                         deck::in_section("output", deck::only_with(in_time, output_keys())),
+std::vector<deck::Key> keys() {
+  return deck::together({deck::keys_of("transient", march_records()),
+                         deck::keys_of("output", deck::only_with(in_time, output_records())),
                          deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
 
@@ -159,21 +135,15 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
     transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);
-  const auto time = [&](const char* key) { return transient.number(key) / unit; };
   read_drive(transient, unit, scales, input.conditions);
   input.conditions.body = read_body(deck, scales);
-  MarchParameters& march = input.parameters;
+  MarchParameters& march = input.parameters = deck::read(transient, march_records());
   input.conditions.conserves_mass = transient.word("cavitation") == "content";
-  march.end = time("end_time");
-  march.rtol = transient.number("rtol");
-  march.longest_step = time("max_step");
-  march.most_steps = transient.integer("max_steps", march.most_steps);
-  march.output_interval = time("output_interval");
-  march.stop_film = transient.number("stop_film");
-  march.stop_steady = transient.number("stop_steady");
+  march.end = transient.number("end_time") / unit;
+  march.longest_step /= unit;
+  march.output_interval /= unit;
   march.probes = read_probes(output, grid);
-  const double checkpoint = output.number("checkpoint");
-  if (output.given("checkpoint")) input.seconds_between_checkpoints = checkpoint;
+  deck::read(output, output_records(), input);
   if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end);
   if (deck.errors.empty()) check_steps(transient, march, longest_step(input.conditions, march.end));
   return input;

@@ -135,7 +135,7 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
     if (!result.computed.unsolved.empty()) return;
     result.content = whole_content(input, result.computed);
     result.report = printed(input, result.computed, false);
-    result.warnings = told(all_warnings(input, result.computed));
+    result.warnings = with_names(all_warnings(input, result.computed));
     hold_all(result, as_kept(result));
   });
 }
@@ -144,7 +144,7 @@ void check_into(HeldResult& result, const std::function<Case()>& read) {
   guarded(result, [&] {
     const Case& input = result.input.emplace(read());
     result.report = derived_of(input);
-    if (!input.dry) result.warnings = told(foreseen_warnings(input));
+    if (!input.dry) result.warnings = with_names(foreseen_warnings(input));
     results::Content content;
     content.title = input.title;
     content.deck = deck::effective_deck(input.deck);

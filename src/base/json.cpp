@@ -31,7 +31,7 @@ void add_warnings(const core::Warnings& warnings, Json& object) {
   for (const char* list : {"warnings", "warning_names"})
     if (!object.contains(list)) object[list] = Json::array();
   for (const core::Warning& warning : warnings) {
-    object["warnings"].push_back(told(warning));
+    object["warnings"].push_back(with_name(warning));
     object["warning_names"].push_back(warning.name);
   }
 }

@@ -47,7 +47,7 @@ std::string threads_text(int threads) { return fmt::format("{} thread{}", thread
 
 std::string warning_lines(const core::Warnings& warnings) {
   std::string text;
-  for (const core::Warning& warning : warnings) text += "warning: " + told(warning) + "\n";
+  for (const core::Warning& warning : warnings) text += "warning: " + with_name(warning) + "\n";
   return text;
 }
 

@@ -6,7 +6,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
@@ -14,6 +14,61 @@
 #include "steady/multigrid_solve.hpp"
 
 namespace ehl::program {
+namespace numbers {
+namespace {
+
+using friction::Friction;
+
+const Friction& rubbed(Of s) { return *s.computed.friction; }
+
+bool beyond(Of s) { return rubbed(s).counts_outside; }
+bool upstream(Of s) { return beyond(s) && rubbed(s).line; }
+bool around(Of s) { return beyond(s) && !rubbed(s).line; }
+bool has_meniscus(Of s) { return std::isfinite(rubbed(s).parameters.meniscus); }
+bool has_outer(Of s) { return rubbed(s).outer != 0.0; }
+bool has_side(Of s) { return std::isfinite(rubbed(s).side); }
+
+Group friction_numbers() {
+  const auto of = [](double Friction::*part) { return [part](Of s) { return rubbed(s).*part; }; };
+  Group group{.name = "friction"};
+  group.on = [](Of s) { return s.computed.friction.has_value(); };
+  group.asked = [](const deck::Deck& deck) { return deck::given(deck, "friction", "cavitated"); };
+  group.numbers = {
+      number(id::mu, "-", "sliding friction over the load, positive if surface 1 is the faster one", bar(id::error_mu),
+             label("friction coefficient μ"), column(401), on_page(9), sweep_page(OfSweep::as_curve),
+             of(&Friction::sliding)),
+      number(id::error_mu, "-", "estimated relative error of mu on this domain", column(402),
+             of(&Friction::error_sliding)),
+      number("mu_rolling", "-", "rolling friction over the load, the same on both surfaces", bar("error_mu_rolling"),
+             label("rolling friction"), column(403), on_page(11), of(&Friction::rolling)),
+      number("error_mu_rolling", "-", "estimated relative error of mu_rolling on this domain", column(404),
+             of(&Friction::error_rolling)),
+      number("mu_1", "-", "force of the film on surface 1 along +x over the load", column(405), of(&Friction::on_1)),
+      number("mu_2", "-", "force of the film on surface 2 along +x over the load", column(406), of(&Friction::on_2)),
+      number("mu_cavitated", "-", "part of mu from the cavitated region", of(&Friction::cavitated)),
+      number("largest_shear_stress", "p_h", "largest shear stress of sliding, in the pressurized film",
+             json("largest_stress"), of(&Friction::largest_stress)),
+      number("limited_share", "-", "share of the load on which the limiting stress acts", of(&Friction::limited_share)),
+      number("mu_beyond", "-", "part of mu from outside the domain", only_if(beyond), of(&Friction::beyond)),
+      number("mu_upstream", "-", "part of mu_rolling from upstream of the domain", only_if(upstream),
+             of(&Friction::rolling_beyond)),
+      number("mu_rolling_beyond", "-", "part of mu_rolling from outside of the domain, up to the meniscus",
+             only_if(around), of(&Friction::rolling_beyond)),
+      number("meniscus", "a", "distance of the inlet meniscus up to which friction is counted", only_if(has_meniscus),
+             [](Of s) { return rubbed(s).parameters.meniscus; }),
+      number("mu_rolling_outer", "-",
+             "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as much if "
+             "it is full of oil",
+             only_if(has_outer), of(&Friction::outer)),
+      number("mu_side", "-", "force of the film on each surface along +y over the load", only_if(has_side),
+             of(&Friction::side)),
+      number("slide_roll_ratio", "-", "(u1 - u2)/u_m", not_json, [](Of s) { return s.input.physics.srr; })};
+  return group;
+}
+
+}  // namespace
+}  // namespace numbers
+
 namespace {
 
 using friction::Friction;
@@ -149,6 +204,7 @@ Effect friction_effect() {
           .sections = {{.name = "friction", .called_by = {"cavitated"}}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
+          .numbers = numbers::friction_numbers,
           .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics, input.scene); },
           .stages = {.scene = observe_friction,
                      .after_solution =

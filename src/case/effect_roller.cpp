@@ -4,7 +4,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "case/roller_input.hpp"
 #include "case/roller_report.hpp"
 #include "deck/text.hpp"
@@ -13,8 +13,58 @@
 namespace ehl::program {
 
 namespace numbers {
-Group roller_numbers();  // in numbers/contacts.cpp
+namespace {
+
+const roller::Analysis& rolled(Of s) { return *s.computed.roller; }
+RollerBars roller_bars(Of s) { return bars_of(rolled(s)); }
+const roller::Trace& trace(Of s) { return s.input.roller->trace; }
+bool traced(Of s) { return s.input.roller->shape == roller::Profile::Shape::table; }
+bool stressed(Of s) { return std::isfinite(rolled(s).mises.end); }
+
+Group roller_numbers() {
+  const auto bar_of = [](double RollerBars::*part) { return [part](Of s) { return roller_bars(s).*part; }; };
+  Group group{.name = "roller", .prefix = "roller_"};
+  group.on = [](Of s) { return s.computed.roller.has_value(); };
+  group.asked = [](const deck::Deck& deck) { return deck::called_for(deck, "roller"); };
+  group.numbers = {
+      number("length", "a", "length of the roller", [](Of s) { return s.input.roller->length; }),
+      number("P_middle", "p_h", "highest pressure on the line y = 0", column(701),
+             [](Of s) { return rolled(s).found.middle.P_max; }),
+      number("error_P_middle", "-", "its relative error by the grid of half as many cells",
+             bar_of(&RollerBars::P_middle)),
+      number("P_middle_dry", "p_h", "the same without oil", [](Of s) { return rolled(s).dry.middle.P_max; }),
+      number("load_middle", "-", "load per length there over the mean",
+             [](Of s) { return rolled(s).found.middle.load; }),
+      number("P_end", "p_h", "highest pressure on the outer tenth of the length", column(702),
+             [](Of s) { return harder(rolled(s).found).P; }),
+      number("P_end_y", "a", "its position", [](Of s) { return harder(rolled(s).found).P_Y; }),
+      number("error_P_end", "-", "its relative error by the grid of half as many cells", bar_of(&RollerBars::P_end)),
+      number("P_end_dry", "p_h", "the same without oil", [](Of s) { return harder(rolled(s).dry).P; }),
+      number("H_end", "a^2/R", "least film on the outer tenth of the length", column(703),
+             [](Of s) { return least_at_ends(rolled(s).found); }),
+      number("error_H_end", "-", "its relative error by the grid of half as many cells", bar_of(&RollerBars::H_end)),
+      number("load_centre", "a", "y of the resultant of the pressure", column(704),
+             [](Of s) { return rolled(s).found.load_centre; }),
+      number("moment", "N m", "moment of the pressure about the x axis", column_only_si(705),
+             [](Of s) { return moment_Nm(s.input, rolled(s).found); }),
+      number("Rq", "a^2/R", "roughness of the traced profile without its form", only_if(traced),
+             [](Of s) { return trace(s).rough; }),
+      number("Rq_before_filter", "a^2/R", "the same before short waves were taken away", only_if(traced),
+             [](Of s) { return trace(s).rough_before; }),
+      number("levelled_slope", "-", "dH/dY that was taken away of the trace", only_if(traced),
+             [](Of s) { return trace(s).slope; }),
+      number("mises_middle", "p_h", "largest von Mises stress below the middle half", only_if(stressed),
+             [](Of s) { return rolled(s).mises.middle; }),
+      number("error_mises_middle", "-", "its relative error by the grid of half as many cells", only_if(stressed),
+             bar_of(&RollerBars::mises_middle)),
+      number("mises_end", "p_h", "the same below the outer tenth of the length", only_if(stressed),
+             [](Of s) { return rolled(s).mises.end; }),
+      number("error_mises_end", "-", "its relative error", only_if(stressed), bar_of(&RollerBars::mises_end))};
+  return group;
 }
+
+}  // namespace
+}  // namespace numbers
 
 namespace {
 

@@ -7,11 +7,36 @@
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
 #include "rheology/shear_keys.hpp"
 
 namespace ehl::program {
+namespace numbers {
+namespace {
+
+const HeatResult& thinned(Of s) { return *s.computed.flow; }
+
+Group shear_numbers() {
+  Group group{.name = "shear"};
+  group.on = [](Of s) { return s.computed.flow.has_value(); };
+  group.asked = [](const deck::Deck&) { return false; };
+  group.numbers = {
+      number("Hc_without", "a^2/R", "film at (0,0), thinned by the sliding alone",
+             [](Of s) { return thinned(s).Hc_isothermal; }),
+      number("Hm_without", "a^2/R", "minimum film, thinned by the sliding alone",
+             [](Of s) { return thinned(s).Hm_isothermal; }),
+      number("mu_without", "-", "sliding friction over the load, thinned by the sliding alone",
+             [](Of s) { return thinned(s).mu_isothermal; }),
+      number(id::mu, "-", "sliding friction over the load", bar(id::error_mu), [](Of s) { return thinned(s).mu; }),
+      number(id::error_mu, "-", "estimated relative discretization error of mu",
+             [](Of s) { return thinned(s).error_mu; })};
+  return group;
+}
+
+}  // namespace
+}  // namespace numbers
+
 namespace {
 
 void enter(Case& input) {
@@ -100,6 +125,7 @@ Effect shear_effect() {
           .without = "Newtonian",
           .sections = {{.name = "shear", .called_by = {"law"}}},
           .keys = rheology::shear_keys,
+          .numbers = numbers::shear_numbers,
           .stages = {.scene = enter, .film = film},
           .on = [](const Case& input) { return input.scene.thinning.has_value(); },
           .what = what,

@@ -7,15 +7,45 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "deck/text.hpp"
 #include "effects/subsurface/keys.hpp"
 
 namespace ehl::program {
 
 namespace numbers {
-Group stress_numbers();  // in numbers/effects.cpp
+namespace {
+
+const subsurface::StressField& stresses(Of s) { return *s.computed.stresses; }
+
+Group stress_numbers() {
+  Group group{.name = "stresses", .home = "/subsurface"};
+  group.on = [](Of s) { return s.computed.stresses.has_value(); };
+  std::vector<Number>& list = group.numbers;
+  const auto add_maximum = [&](const std::string& name, const std::string& words, int place,
+                               subsurface::Maximum subsurface::StressField::*part) {
+    const std::string file = "largest_" + name;
+    const auto of = [part](double subsurface::Maximum::*what) { return [=](Of s) { return stresses(s).*part.*what; }; };
+    using M = subsurface::Maximum;
+    list.push_back(number(file, "p_h", "largest value, interpolated by parabolas between nodes and planes",
+                          json(name + "/value"), label(words), on_page(place), of(&M::value)));
+    list.push_back(number(file + "_x", "a", "its position", json(name + "/X"), of(&M::X)));
+    list.push_back(number(file + "_y", "a", "its position", json(name + "/Y"), of(&M::Y)));
+    list.push_back(number(file + "_z", "a", "its position: depth", json(name + "/Z"), of(&M::Z)));
+    list.push_back(number(file + "_on_node", "p_h", "largest value of all nodes", json(name + "/on_node"), not_in_file,
+                          of(&M::on_node)));
+  };
+  add_maximum("sigma_mises", "largest von Mises stress below the surface", 18, &subsurface::StressField::mises);
+  add_maximum("tau_max", "largest shear stress below the surface", 19, &subsurface::StressField::shear);
+  list.push_back(number("poisson", "-", "Poisson's ratio of the body", [](Of s) { return stresses(s).parameters.nu; }));
+  list.push_back(number("friction", "-", "shear traction along +x over pressure",
+                        [](Of s) { return stresses(s).parameters.friction; }));
+  list.push_back(number(id::seconds, "s", "time of the stresses", [](Of s) { return stresses(s).seconds; }));
+  return group;
 }
+
+}  // namespace
+}  // namespace numbers
 
 namespace {
 

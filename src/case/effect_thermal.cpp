@@ -8,13 +8,91 @@
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "case/thermal_report.hpp"
 #include "deck/text.hpp"
 #include "rheology/thermal_keys.hpp"
 #include "thermal/keys.hpp"
 
 namespace ehl::program {
+namespace numbers {
+namespace {
+
+const HeatResult& heated(Of s) { return *s.computed.heat; }
+double kelvin(Of s, double theta) { return s.input.heat->T0 * theta; }
+double watts(Of s, double share) { return s.input.heat->power * share; }
+
+std::string meaning_of_isothermal(Of s) {
+  return std::string("the same of the isothermal contact") +
+         (heated(s).unlikely_isothermal ? "; no oil carries it" : "");
+}
+
+Group thermal_numbers() {
+  Group group{.name = "thermal"};
+  group.on = [](Of s) { return s.computed.heat.has_value(); };
+  group.asked = [](const deck::Deck& deck) { return deck::called_for(deck, "thermal"); };
+  std::vector<Number>& list = group.numbers;
+  list = {number(id::mu, "-", "sliding friction over the load, with heat", bar(id::error_mu), column(501),
+                 [](Of s) { return heated(s).mu; }),
+          number("mu_isothermal", "-", "the same of the isothermal contact", meaning_here(meaning_of_isothermal),
+                 label("the same, isothermal"), column(503), on_page(10), [](Of s) { return heated(s).mu_isothermal; }),
+          number(id::error_mu, "-", "estimated relative discretization error of mu", column(502),
+                 [](Of s) { return heated(s).error_mu; })};
+  const auto hottest = [&](const std::string& name, const std::string& meaning, const std::string& words, int place,
+                           int on_page_at, OfSweep of_sweep, heat::Hottest heat::Solution::*part) {
+    const auto at = [part](Of s) -> const heat::Hottest& { return heated(s).found.*part; };
+    list.push_back(number(name, "K", meaning + ": highest temperature above T_oil", bar("error_" + name), label(words),
+                          column(place), on_page(on_page_at), sweep_page(of_sweep),
+                          [=](Of s) { return kelvin(s, at(s).theta); }));
+    list.push_back(number(name + "_x", "a", "its position", [=](Of s) { return at(s).X; }));
+    list.push_back(number(name + "_y", "a", "its position", [=](Of s) { return at(s).Y; }));
+    list.push_back(number("error_" + name, "-", "estimated relative discretization error of the rise",
+                          [=](Of s) { return at(s).error; }));
+  };
+  hottest(id::T_film_max, "film", "hottest film above T_{oil}", 504, 12, OfSweep::as_curve, &heat::Solution::in_film);
+  hottest(id::T1_max, "surface 1", "hottest place of surface 1 above T_{oil}", 506, 13, OfSweep::hidden,
+          &heat::Solution::on_1);
+  hottest(id::T2_max, "surface 2", "hottest place of surface 2 above T_{oil}", 507, 14, OfSweep::hidden,
+          &heat::Solution::on_2);
+  const Unit watt{"W", "W/m"};
+  const std::vector<Number> rest{
+      number("T_film_mean", "K", "middle of the film above T_oil, mean weighted with the pressure", column(505),
+             [](Of s) { return kelvin(s, heated(s).found.mean); }),
+      number("T_inlet", "K", "middle of the film above T_oil at x = -a, y = 0",
+             [](Of s) { return kelvin(s, heated(s).found.inlet); }),
+      number("heat_made", watt, "heat made in the film by shear and compression",
+             [](Of s) { return watts(s, heated(s).found.balance.heat); }),
+      number(id::heat_1, watt, "heat into body 1", column(508),
+             [](Of s) { return watts(s, heated(s).found.balance.into_1); }),
+      number("heat_2", watt, "heat into body 2", column(509),
+             [](Of s) { return watts(s, heated(s).found.balance.into_2); }),
+      number("heat_carried", watt, "heat carried out of the domain by the oil",
+             [](Of s) { return watts(s, heated(s).found.balance.carried); }),
+      number(id::heat_imbalance, "-", "heat made less heat led away, over heat made", column(510),
+             [](Of s) { return heated(s).found.balance.defect; }),
+      number("nahme", "-", "largest beta tau_m |u1 - u2| h/k", column(512), [](Of s) { return heated(s).found.nahme; }),
+      number("peclet_1", "-", "u1 a over the diffusivity of body 1",
+             [](Of s) { return s.input.heat->setup.body_1.Pe; }),
+      number("peclet_2", "-", "u2 a over the diffusivity of body 2",
+             [](Of s) { return s.input.heat->setup.body_2.Pe; }),
+      number("Hc_isothermal", "a^2/R", "film at (0,0) of the isothermal contact",
+             [](Of s) { return heated(s).Hc_isothermal; }),
+      number("Hm_isothermal", "a^2/R", "its minimum film", [](Of s) { return heated(s).Hm_isothermal; }),
+      number("film_reduction", "-", "Hc over Hc_isothermal", label("film over the isothermal one"), column(511),
+             on_page(15), [](Of s) { return film_reduction(heated(s)); }),
+      number("wilson_sheu", "-", "the same by Wilson and Sheu 1983",
+             [](Of s) { return thermal::wilson_sheu(inlet_groups(s.input)); }),
+      number("gupta", "-", "the same by Gupta et al. 1992", [](Of s) { return thermal::gupta(inlet_groups(s.input)); }),
+      number("murch_wilson", "-", "the same by Murch and Wilson 1975, pure rolling", [](Of s) {
+        return s.input.physics.srr == 0.0 ? thermal::murch_wilson(inlet_groups(s.input)) : core::unknown;
+      })};
+  list.insert(list.end(), rest.begin(), rest.end());
+  return group;
+}
+
+}  // namespace
+}  // namespace numbers
+
 namespace {
 
 void read(Case& input) {
@@ -115,6 +193,7 @@ Effect thermal_effect() {
               [] {
                 return deck::together({rheology::warm_oil_keys(), thermal::keys()});
               },
+          .numbers = numbers::thermal_numbers,
           .read = read,
           .stages = {.scene = observe_friction, .film = film},
           .on = [](const Case& input) { return input.heat.has_value(); },

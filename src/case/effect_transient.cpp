@@ -6,11 +6,57 @@
 
 #include "base/json.hpp"
 #include "case/effects.hpp"
-#include "case/numbers/number.hpp"
+#include "case/numbers/records.hpp"
 #include "deck/text.hpp"
 #include "transient/keys.hpp"
 
 namespace ehl::program {
+namespace numbers {
+namespace {
+
+const TransientResult& in_time(Of s) { return *s.computed.in_time; }
+const transient::MarchReport& march(Of s) { return in_time(s).report; }
+bool counts_oil_in_time(Of s) { return s.input.transient->conditions.conserves_mass; }
+
+Group transient_numbers() {
+  Group group{.name = "transient", .prefix = "transient_"};
+  group.on = [](Of s) { return s.computed.in_time.has_value(); };
+  const auto count = [](int transient::MarchReport::*part) { return [part](Of s) { return march(s).*part; }; };
+  using R = transient::MarchReport;
+  using transient::StepRow;
+  std::vector<Number>& list = group.numbers;
+  list = {number(id::completed, "-", "1: the run in time is complete, 0: it is not",
+                 [](Of s) { return completed(in_time(s)); }),
+          number(id::ended, "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
+          number("start_converged", "-", "only a converged start is followed in time", [](Of) { return true; }),
+          number("end_time", "a/u_m", "time reached", [](Of s) { return march(s).T; }),
+          number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
+          number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
+          number("least_Hm", "a^2/R", "minimum film of all times",
+                 [](Of s) { return std::ranges::min(in_time(s).rows, {}, &StepRow::Hm).Hm; }),
+          number("largest_P_max", "p_h", "highest pressure of all times",
+                 [](Of s) { return std::ranges::max(in_time(s).rows, {}, &StepRow::P_max).P_max; }),
+          number("steps", "-", "number of time steps", count(&R::steps)),
+          number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
+          number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),
+          number("rejected", "-", "attempts that failed the error test", count(&R::rejected)),
+          number("not_solved", "-", "attempts that were not solved", count(&R::not_solved)),
+          number("jumps", "-", "jumps of load or speed", count(&R::restarts)),
+          number("worst_load_error", "-", "largest relative error of the load",
+                 [](Of s) { return march(s).worst_load_error; }),
+          number(id::seconds, "s", "time of the run in time", [](Of s) { return march(s).seconds; }),
+          number("worst_oil_error", "-", "largest share of oil from nowhere in a step", only_if(counts_oil_in_time),
+                 [](Of s) { return march(s).worst_oil_error; }),
+          number("oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
+                 only_if(counts_oil_in_time), [](Of s) { return in_time(s).rows.back().oil.lost; })};
+  // The file contains how the run ended; the other numbers follow from its table of steps.
+  for (Number& one : list) one.in_file = one.name == id::completed || one.name == id::ended;
+  return group;
+}
+
+}  // namespace
+}  // namespace numbers
+
 namespace {
 
 double step_of(const transient::Input& transient) {
@@ -82,6 +128,7 @@ Effect transient_effect() {
           .sections = {{.name = "transient", .called_by = {"end_time"}}},
           .costly = {"transient", "output_interval"},
           .keys = transient::keys,
+          .numbers = numbers::transient_numbers,
           .stages = {.in_time = compute},
           .on = [](const Case& input) { return input.transient.has_value(); },
           .what = what,

@@ -194,8 +194,8 @@ void add_effects(const Case& input, const Computed& computed, results::Content& 
   for (const Effect& effect : effects_of(input)) {
     if (effect.add_content) effect.add_content(input, computed, content);
     if (effect.warnings)
-      content.summary.push_back(
-          {effect.name + "_warnings", deck::joined(told(effect.warnings(input, computed)), "\n"), "", "one per line"});
+      content.summary.push_back({effect.name + "_warnings",
+                                 deck::joined(with_names(effect.warnings(input, computed)), "\n"), "", "one per line"});
   }
   // A number refers to an error bar only if the file has it.
   for (results::Quantity& one : content.summary)

@@ -1,5 +1,7 @@
 #include "case/map_cells.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -95,6 +97,9 @@ std::vector<std::string> cells_of(const std::string& line, const Writing& writin
   return cells;
 }
 
+namespace {
+
+// The number in a cell; NaN if it marks a missing point. out: wrong: the cell, if it is neither.
 double height_of(const std::string& cell, const Writing& writing, std::string& wrong) {
   if (cell.empty() || says_missing(cell)) return unknown;
   std::string number = cell;
@@ -108,6 +113,7 @@ double height_of(const std::string& cell, const Writing& writing, std::string& w
   return read.value;
 }
 
+// What is wrong if every comma of the file may be a decimal comma or a separator of thousands, "1,234"; else empty.
 std::string undecided_commas(const std::vector<TextLine>& lines, const Writing& writing, const std::string& name) {
   if (!writing.decimal_comma) return {};
   std::string undecided;
@@ -119,6 +125,28 @@ std::string undecided_commas(const std::vector<TextLine>& lines, const Writing& 
         undecided = name + ":" + std::to_string(line.number) + ": " + deck::two_meanings(cell);
     }
   return undecided;
+}
+
+}  // namespace
+
+std::string read_numbers(const std::vector<TextLine>& lines, const std::string& name,
+                         const std::function<std::string(const std::vector<double>& row)>& take) {
+  const Writing writing = writing_of(lines);
+  if (std::string wrong = undecided_commas(lines, writing, name); !wrong.empty()) return wrong;
+  std::vector<double> row;
+  for (const TextLine& line : lines) {
+    const std::vector<std::string> cells = cells_of(line.text, writing);
+    std::string wrong;
+    row.clear();
+    for (std::size_t k = 0; k < cells.size() && wrong.empty(); ++k) {
+      row.push_back(height_of(cells[k], writing, wrong));
+      if (!wrong.empty())
+        wrong = fmt::format("column {}: {}; a missing point is an empty cell, NaN, BAD or ***", k + 1, wrong);
+    }
+    if (wrong.empty()) wrong = take(row);
+    if (!wrong.empty()) return fmt::format("{}:{}: {}", name, line.number, wrong);
+  }
+  return {};
 }
 
 bool is_numbers(const std::string& line) {

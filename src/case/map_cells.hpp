@@ -1,5 +1,6 @@
 #pragma once
 // Reads lines of numbers in the forms that instruments and spreadsheets write.
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,13 +34,11 @@ Writing writing_of(const std::vector<TextLine>& lines);
 /// The cells of a line; an empty cell if nothing stands between two separators.
 std::vector<std::string> cells_of(const std::string& line, const Writing& writing);
 
-/// The number in a cell; NaN if the cell is empty or has a word for a missing point (BAD, NaN, ***). out: wrong:
-/// the cell, if it is neither.
-double height_of(const std::string& cell, const Writing& writing, std::string& wrong);
-
-/// What is wrong if every comma of the file may be a decimal comma or a separator of thousands, "1,234"; else empty.
-/// in: the name of the file for the message.
-std::string undecided_commas(const std::vector<TextLine>& lines, const Writing& writing, const std::string& name);
+/// Calls `take` with the numbers of every line; NaN where a cell is empty or has a word for a missing point (BAD, NaN,
+/// ***). in: the name of the file for messages; take: returns what is wrong with its line. out: what is wrong with the
+/// file: "map.txt:12: ...", a cell that is no number, or commas that may be decimal or separate thousands; else empty.
+std::string read_numbers(const std::vector<TextLine>& lines, const std::string& name,
+                         const std::function<std::string(const std::vector<double>& row)>& take);
 
 /// True if every cell is a number or marks a missing point.
 bool is_numbers(const std::string& line);

@@ -13,6 +13,7 @@
 #include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "results/matrix.hpp"
+#include "surface/fill_missing.hpp"
 
 namespace ehl::program {
 namespace {
@@ -20,26 +21,25 @@ namespace {
 constexpr int fewest_points = 8;
 constexpr std::uintmax_t largest_map = 4'000'000'000;  // bytes
 
-// in: what a reader found in the file. out: the same with its missing points filled.
-ReadHeights filled(ReadHeights read, const std::string& path) {
+// in: what a reader found in the file; where, for the message. out: the same with its missing points filled.
+ReadHeights filled(ReadHeights read, const std::string& where) {
   auto* map = std::get_if<MapInFile>(&read);
   if (map == nullptr) return read;
-  if (const std::string few = too_few_points(map->heights.nx, map->heights.ny); !few.empty()) return path + ": " + few;
-  if (const std::string wrong = fill_missing(*map); !wrong.empty()) return path + ": " + wrong;
+  surface::Heights& z = map->heights;
+  std::string wrong = too_few_points(z.nx, z.ny);
+  if (wrong.empty()) wrong = surface::fill_missing(z, map->filled);
+  if (!wrong.empty()) return where + ": " + wrong;
   return read;
 }
 
 ReadHeights read_hdf5(const std::string& path, const std::string& dataset) {
   results::Array array = results::read_matrix(path, dataset);
-  const std::string where = path + ": " + dataset + ": ";
   for (std::size_t n = 0; n < array.values.size(); ++n)
     if (std::isinf(array.values[n]))
-      return fmt::format("{}row {}, column {} is not a finite number; a missing point is NaN", where,
+      return fmt::format("{}: {}: row {}, column {} is not a finite number; a missing point is NaN", path, dataset,
                          n / array.dims[1] + 1, n % array.dims[1] + 1);
-  MapInFile map{.heights = {static_cast<int>(array.dims[1]), static_cast<int>(array.dims[0]), std::move(array.values)}};
-  if (const std::string few = too_few_points(map.heights.nx, map.heights.ny); !few.empty()) return where + few;
-  if (const std::string wrong = fill_missing(map); !wrong.empty()) return where + wrong;
-  return map;
+  return MapInFile{
+      .heights = {static_cast<int>(array.dims[1]), static_cast<int>(array.dims[0]), std::move(array.values)}};
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ ReadHeights read_heights(const std::string& path, const std::string& dataset, do
   if (is({".csv", ".txt", ".dat", ".asc", ".xyz", ".sdf"}))
     return filled(read_map_text(deck::content_of(path, largest_map), path, dx_m), path);
   if (is({".sur"})) return filled(read_map_sur(deck::content_of(path, largest_map), path), path);
-  if (is({".h5", ".hdf5"})) return read_hdf5(path, dataset);
+  if (is({".h5", ".hdf5"})) return filled(read_hdf5(path, dataset), path + ": " + dataset);
   const std::string allowed = "must be a text file (.csv, .txt, .dat, .asc, .xyz, .sdf), a .sur or a .h5";
   if (is({".x3p", ".al3d", ".opd", ".plux", ".plu", ".vk4", ".vk6", ".mnt", ".gwy", ".spm", ".ibw", ".nms", ".opdx",
           ".asd", ".top", ".zmg", ".wyko", ".tif", ".tiff"}))

@@ -28,8 +28,4 @@ ReadHeights read_heights(const std::string& path, const std::string& dataset, do
 /// "30 x 7 points are too few: at least 8 x 8"; empty if there are enough.
 std::string too_few_points(int nx, int ny);
 
-/// Fills missing points (NaN) so that each is the mean of its neighbours; this preserves a plane. Sets the number of
-/// filled points. out: an error message if too many points are missing, else empty.
-std::string fill_missing(MapInFile& map);
-
 }  // namespace ehl::program

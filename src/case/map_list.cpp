@@ -70,18 +70,15 @@ bool is_list(const std::vector<TextLine>& lines) {
 
 ReadHeights read_list(const std::vector<TextLine>& lines, const std::vector<std::string>& heading,
                       const std::string& name, double dx_m) {
-  const Writing writing = writing_of(lines);
-  if (std::string wrong = undecided_commas(lines, writing, name); !wrong.empty()) return wrong;
   std::vector<double> x, y, z;
-  for (const TextLine& line : lines) {
-    const std::vector<std::string> cells = cells_of(line.text, writing);
-    std::string wrong;
-    x.push_back(height_of(cells[0], writing, wrong));
-    y.push_back(height_of(cells[1], writing, wrong));
-    if (wrong.empty() && std::isnan(x.back() + y.back())) wrong = "a coordinate is missing";
-    z.push_back(height_of(cells[2], writing, wrong));
-    if (!wrong.empty()) return fmt::format("{}:{}: {}; a list has x, y and z in every line", name, line.number, wrong);
-  }
+  const std::string wrong = read_numbers(lines, name, [&](const std::vector<double>& row) -> std::string {
+    if (std::isnan(row[0] + row[1])) return "a coordinate is missing; a list has x, y and z in every line";
+    x.push_back(row[0]);
+    y.push_back(row[1]);
+    z.push_back(row[2]);
+    return {};
+  });
+  if (!wrong.empty()) return wrong;
   const Axis along = axis_of(x), across = axis_of(y);
   if (along.points == 0 || across.points == 0)
     return name + ": its x and y are not those of a regular grid: put the points on one with Gwyddion";

@@ -65,28 +65,19 @@ void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
 }
 
 ReadHeights read_rows(const MapText& text, const std::string& name) {
-  const Writing writing = writing_of(text.lines);
-  if (std::string wrong = undecided_commas(text.lines, writing, name); !wrong.empty()) return wrong;
   if (text.blank > 0)
     return fmt::format("{}:{}: a line without heights between others: the map has a gap", name, text.blank);
   MapInFile map;
   surface::Heights& heights = map.heights;
-  for (const TextLine& line : text.lines) {
-    const std::string where = fmt::format("{}:{}: ", name, line.number);
-    const std::vector<std::string> cells = cells_of(line.text, writing);
-    if (heights.ny > 0 && static_cast<int>(cells.size()) != heights.nx)
-      return fmt::format("{}{} heights in this line, but {} in those before", where, cells.size(), heights.nx);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      std::string wrong;
-      heights.values.push_back(height_of(cells[k], writing, wrong));
-      if (!wrong.empty())
-        return fmt::format("{}height number {}: {}; a missing point is an empty cell, NaN, BAD or ***", where, k + 1,
-                           wrong);
-    }
-    heights.nx = static_cast<int>(cells.size());
+  const std::string wrong = read_numbers(text.lines, name, [&](const std::vector<double>& row) -> std::string {
+    if (heights.ny > 0 && static_cast<int>(row.size()) != heights.nx)
+      return fmt::format("{} heights in this line, but {} in those before", row.size(), heights.nx);
+    heights.values.insert(heights.values.end(), row.begin(), row.end());
+    heights.nx = static_cast<int>(row.size());
     ++heights.ny;
-    if (heights.values.size() > most_heights) return where + "more than 10^8 heights";
-  }
+    return heights.values.size() > most_heights ? "more than 10^8 heights" : "";
+  });
+  if (!wrong.empty()) return wrong;
   read_heading(text.heading, map);
   return map;
 }
@@ -94,15 +85,11 @@ ReadHeights read_rows(const MapText& text, const std::string& name) {
 // Reads the cells of all lines, however many a line has. in: the number of cells expected.
 std::string read_cells(const std::vector<TextLine>& lines, const std::string& name, std::size_t wanted,
                        std::vector<double>& values) {
-  const Writing writing = writing_of(lines);
-  if (std::string wrong = undecided_commas(lines, writing, name); !wrong.empty()) return wrong;
-  for (const TextLine& line : lines)
-    for (const std::string& cell : cells_of(line.text, writing)) {
-      std::string wrong;
-      values.push_back(height_of(cell, writing, wrong));
-      if (!wrong.empty()) return fmt::format("{}:{}: {}", name, line.number, wrong);
-    }
-  if (values.size() == wanted) return {};
+  std::string wrong = read_numbers(lines, name, [&](const std::vector<double>& row) {
+    values.insert(values.end(), row.begin(), row.end());
+    return std::string();
+  });
+  if (!wrong.empty() || values.size() == wanted) return wrong;
   return fmt::format("{}: {} heights, but its heading states {}", name, values.size(), wanted);
 }
 

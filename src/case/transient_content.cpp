@@ -8,6 +8,7 @@
 #include "case/transient_run.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "results/one_line.hpp"
 
 namespace ehl::program {
 namespace {
@@ -90,10 +91,10 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
   if (credible(file, numbers::path_of(id::completed)) == std::vector{1.0}) return why + "its run is complete";
   const std::string ended = numbers::path_of(id::ended);  // files of earlier versions lack it
-  const bool told = file.kind(ended) == results::ResultFile::Kind::text;
+  const bool is_stated = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
              ? why + "its run was not interrupted but ended because it could not continue" +
-                   (told ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
+                   (is_stated ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
              : why + "its run was interrupted before the first step; run its deck again";
 }
 
@@ -202,16 +203,7 @@ TransientResult read_transient(const results::ResultFile& file) {
     const results::Array array = file.frame(path, k);
     if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
       damaged(file.path(), path + " contains something else than a field");
-    // The file holds one line of a line contact (results/one_line.hpp); the solver uses three equal lines.
-    const std::size_t lines = array.dims[0];
-    core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = lines == 1 ? 2 : static_cast<int>(lines) - 1};
-    core::Field read(grid);
-    for (int j = 0; j <= grid.ny; ++j)
-      for (int i = 0; i <= grid.nx; ++i) {
-        const std::size_t line = std::min(static_cast<std::size_t>(j), lines - 1);
-        read(i, j) = array.values[line * array.dims[1] + static_cast<std::size_t>(i)];
-      }
-    return read;
+    return results::field_of(array);
   };
   for (std::size_t k = 0; k < times.size(); ++k)
     result.frames.push_back({times[k], field("P", k), field("H", k), field("theta", k)});

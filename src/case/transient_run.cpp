@@ -50,7 +50,7 @@ void total(TransientResult& result) {
 }
 
 // How a number of the rows is printed: its dimensionless name, its name in SI, and its SI unit.
-struct Told {
+struct Printed {
   std::string own{};
   std::string in_SI{};
   SiUnit unit{};
@@ -58,25 +58,25 @@ struct Told {
 
 // One line with the smallest and largest value over time. in: value: the number of a row.
 template <class Value>
-std::string range_line(const Case& input, const Told& told, const std::vector<StepRow>& rows, Value value) {
+std::string range_line(const Case& input, const Printed& number, const std::vector<StepRow>& rows, Value value) {
   const StepRow& low = *std::ranges::min_element(rows, {}, value);
   const StepRow& high = *std::ranges::max_element(rows, {}, value);
   const double least = std::invoke(value, low), most = std::invoke(value, high), last = std::invoke(value, rows.back());
   const SiUnit time = time_unit(input);
   if (!input.physics.si)
-    return fmt::format("  {:<10} {:.5f} to {:.5f}, at times {:.4g} and {:.4g}; at the end {:.5f}\n", told.own, least,
+    return fmt::format("  {:<10} {:.5f} to {:.5f}, at times {:.4g} and {:.4g}; at the end {:.5f}\n", number.own, least,
                        most, low.T, high.T, last);
-  const double factor = told.unit.factor;
+  const double factor = number.unit.factor;
   return fmt::format(
       "  {:<10} {:.5g} to {:.5g} {}, at times {:.4g} and {:.4g} {}; at the end {:.5g} {}; {} {:.5f} to {:.5f}\n",
-      told.in_SI, factor * least, factor * most, told.unit.name, time.factor * low.T, time.factor * high.T, time.name,
-      factor * last, told.unit.name, told.own, least, most);
+      number.in_SI, factor * least, factor * most, number.unit.name, time.factor * low.T, time.factor * high.T,
+      time.name, factor * last, number.unit.name, number.own, least, most);
 }
 
 std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
   const SiScales scales = si_scales(input.physics).value_or(SiScales{});
   const SiUnit nm = si_unit("a^2/R", scales), GPa = si_unit("p_h", scales);
-  const auto line = [&](const Told& told, auto value) { return range_line(input, told, rows, value); };
+  const auto line = [&](const Printed& number, auto value) { return range_line(input, number, rows, value); };
   std::string text = line({id::Hc, numbers::symbol_of(id::hc), nm}, &StepRow::Hc) +
                      line({id::Hm, numbers::symbol_of(id::hm), nm}, &StepRow::Hm) +
                      line({id::P_max, numbers::symbol_of(id::p_max), GPa}, &StepRow::P_max);

@@ -57,6 +57,8 @@ std::vector<deck::Key> tuning_keys() {
     const auto defaults = TunedNumbers{}.*member;
     deck::Condition needs;
     if (module == "transient") needs = {.name = "end_time", .section = "transient"};
+    if (module == "heat")
+      needs = {.section = "thermal", .or_else = {{.name = "flow", .words = {"on"}, .section = "shear"}}};
     for (const auto& number : table) {
       const double standard = number.value(defaults);
       keys.push_back({.name = module + "." + number.name,

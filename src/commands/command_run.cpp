@@ -71,7 +71,7 @@ void check_same_files(const results::ResultFile& file, const Case& input) {
   if (file.kind("/provenance/files") == results::ResultFile::Kind::missing) return;
   const std::string before = "\n" + file.text("/provenance/files") + "\n";
   for (const deck::NamedFile& one : input.files)
-    if (before.find("\n" + deck::told(one) + "\n") == std::string::npos)
+    if (before.find("\n" + deck::fingerprint(one) + "\n") == std::string::npos)
       throw core::FileError(one.path + ": has changed since the run began: " + file.path() +
                             " cannot be continued with it");
 }

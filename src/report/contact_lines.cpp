@@ -111,6 +111,10 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
     rows.push_back(std::move(row));
   }
   std::string text = aligned(rows, widths);
+  if (physics.si && !physics.si->coatings.empty())
+    return text +
+           "  the formulas are for uncoated bodies, here with the E' of the scales; where a coating is soft the "
+           "film may differ from them by a quarter\n";
   text += fitted_film_line(physics);
   if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;

@@ -56,7 +56,7 @@ std::vector<Quantity> provenance(const Case& input) {
   const Version built = version();
   const std::string folder = input.deck.folders.empty() ? "" : input.deck.folders.front();
   std::vector<std::string> files;
-  for (const deck::NamedFile& file : input.files) files.push_back(deck::told(file));
+  for (const deck::NamedFile& file : input.files) files.push_back(deck::fingerprint(file));
   std::vector<Quantity> list{
       {"program", "ehl", "", "program that wrote the file"},
       {"version", built.number, "", "its version"},
@@ -84,7 +84,7 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
   content.provenance = provenance(input);
   content.grid = solution.grid;
   content.summary = std::move(numbers);
-  content.summary.push_back(numbers::given(id::warnings, deck::joined(told(computed.outcome.warnings), "\n")));
+  content.summary.push_back(numbers::given(id::warnings, deck::joined(with_names(computed.outcome.warnings), "\n")));
   for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
     content.summary.push_back(
         {line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "shape on this surface"});

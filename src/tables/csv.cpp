@@ -83,7 +83,7 @@ std::string size_and_hash(const std::string& text) {
 
 std::string deck_text_line(const std::string& deck_text) { return "# deck text: " + size_and_hash(deck_text); }
 
-std::string file_line(const deck::NamedFile& file) { return "# file: " + deck::told(file); }
+std::string file_line(const deck::NamedFile& file) { return "# file: " + deck::fingerprint(file); }
 
 std::string this_program() {
   const Version built = version();

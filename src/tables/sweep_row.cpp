@@ -42,7 +42,7 @@ void fill_case(const SweepColumns& columns, const Case& input, SweepRow& row) {
 // in: now: the files as they are; before: the files as the sweep recorded them.
 void check_unchanged(const std::vector<deck::NamedFile>& now, const std::vector<deck::NamedFile>& before) {
   for (const deck::NamedFile& file : now)
-    if (std::ranges::find(before, deck::told(file), deck::told) == before.end())
+    if (std::ranges::find(before, deck::fingerprint(file), deck::fingerprint) == before.end())
       throw core::InputError(file.path + ": has changed since the sweep began");
 }
 

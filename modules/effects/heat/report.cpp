@@ -17,8 +17,8 @@ double error_of(const Tuning& tuning, const judgement::Tuning& judged, const std
   std::vector<double> sequence;
   for (const Row& row : rows) sequence.push_back(row.*value);
   const double order = sequence.size() < 3 ? tuning.order_of_two_grids : tuning.order;
-  const double told = tuning.wider * judgement::estimate_error(judged, sequence, order).relative_error;
-  return std::isnan(told) ? told : std::max(told, tuning.least_bar);
+  const double estimated = tuning.wider * judgement::estimate_error(judged, sequence, order).relative_error;
+  return std::isnan(estimated) ? estimated : std::max(estimated, tuning.least_bar);
 }
 
 // Temperature that a spike may reach on finer grids; NaN if it cannot be estimated.
@@ -33,8 +33,8 @@ double foreseen(const Tuning& tuning, const std::vector<Row>& rows, double Row::
 // growth.
 double error_of(const Tuning& tuning, const judgement::Tuning& judged, const std::vector<Row>& rows, double Row::*value,
                 double Row::*behind) {
-  const double told = error_of(tuning, judged, rows, value), under_spike = foreseen(tuning, rows, behind);
-  return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);
+  const double estimated = error_of(tuning, judged, rows, value), under_spike = foreseen(tuning, rows, behind);
+  return std::isnan(under_spike) ? estimated : std::max(estimated, under_spike / (rows.back().*value) - 1.0);
 }
 
 Hottest hottest(const core::Patch& patch, const thermal::Extreme& extreme, double error) {

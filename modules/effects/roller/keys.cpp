@@ -8,85 +8,67 @@
 #include <memory>
 #include <utility>
 
-#include "deck/text.hpp"
+#include "deck/record.hpp"
 #include "deck/text_table.hpp"
 #include "effects/roller/trace.hpp"
 
 namespace ehl::roller {
 namespace {
 
-using deck::Key;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr deck::Range positive{0.0, infinity, true, true};
-
 deck::Condition of(const char* shape) { return {.name = "profile", .words = {shape}}; }
 
-std::vector<Key> shape_keys() {
-  const Key end_length{.name = "end_length",
-                       .range = positive,
-                       .meaning = "Length of each rounded end of a straight roller, in half widths a.",
-                       .needs = of("straight"),
-                       .example = "4"};
-  const Key end_radius{.name = "end_radius",
-                       .range = positive,
-                       .meaning =
-                           "Radius of the rounded ends over R_x. An end falls by the square of the distance from the "
-                           "straight part, over twice this radius. The radius must not be smaller than end_length.",
-                       .needs = of("straight"),
-                       .example = "5"};
-  const Key crown_radius{
-      .name = "crown_radius",
-      .range = positive,
-      .meaning =
-          "Radius of a crowned roller along its axis, over R_x. It must be at least half of the roller's length.",
-      .needs = of("crowned"),
-      .example = "2000"};
-  const Key design_load{.name = "design_load",
-                        .default_note = "the load of the contact",
-                        .range = {0.0, 10.0, true, false},
-                        .remedy = "a profile for more than ten times the load does not belong to this contact",
-                        .meaning = "Load for which a logarithmic profile is designed, over the load of the contact.",
-                        .source = "Lundberg 1939; Johns and Gohar 1981",
-                        .needs = of("logarithmic"),
-                        .example = "1.5"};
-  const Key shortest_wave{.name = "shortest_wave",
-                          .range = positive,
-                          .meaning =
-                              "Cut-off wavelength of a measured profile, in half widths a. A Gaussian filter removes "
-                              "shorter waves; a wave of this length keeps half of its height. The form is kept up to "
-                              "the ends. Without this key the profile is not filtered.",
-                          .source = "ISO 16610-31, second order, not robust",
-                          .needs = of("table"),
-                          .example = "4"};
-  Key design_load_N = in_SI(design_load, "_N", "N", "3000");
-  design_load_N.range = positive;
-  return {end_length,
-          in_SI(end_length, "_m", "m", "0.0005"),
-          end_radius,
-          in_SI(end_radius, "_m", "m", "0.05"),
-          crown_radius,
-          in_SI(crown_radius, "_m", "m", "10"),
-          design_load,
-          design_load_N,
-          shortest_wave,
-          in_SI(shortest_wave, "_m", "m", "2.5e-4"),
-          {.name = "levelling",
-           .default_text = "none",
-           .words = {"none", "line"},
-           .meaning = "What is subtracted from a measured profile. none: nothing. line: the straight line of least "
-                      "squares, which is the tilt of the roller in the instrument.",
-           .needs = of("table")},
-          {.name = "file",
-           .type = deck::Type::text,
-           .meaning = "Profile as a table with the columns y and drop, the distance by which the surface lies below "
-                      "the middle of the roller, in m; in a and a^2/R for a contact without units. A heading may name "
-                      "other units, y [mm] and drop [um]. It needs at least four rows with rising y, from end to end "
-                      "or from the middle to one end (then mirrored), and must not reach beyond ten times half of the "
-                      "length. Values between the rows are interpolated smoothly.",
-           .needs = of("table"),
-           .example = "profile.csv",
-           .names = deck::Names::file}};
+deck::Records<Profile> shape_records() {
+  using namespace deck::record;
+  return {
+      key("end_length", in_SI("_m", "m", "0.0005"), positive, required("give it, or end_length_m for a contact in SI"),
+          of("straight"), example("4"), "Length of each rounded end of a straight roller, in half widths a."),
+      key("end_radius", in_SI("_m", "m", "0.05"), positive, required("give it, or end_radius_m for a contact in SI"),
+          of("straight"), example("5"),
+          "Radius of the rounded ends over R_x. An end falls by the square of the distance from the straight part, "
+          "over twice this radius. The radius must not be smaller than end_length."),
+      key("crown_radius", in_SI("_m", "m", "10"), positive, required("give it, or crown_radius_m for a contact in SI"),
+          of("crowned"), example("2000"),
+          "Radius of a crowned roller along its axis, over R_x. It must be at least half of the roller's length."),
+      key("design_load", in_SI("_N", "N", "3000", positive), up_to(10.0), of("logarithmic"), example("1.5"),
+          otherwise("the load of the contact"),
+          "Load for which a logarithmic profile is designed, over the load of the contact.",
+          remedy("a profile for more than ten times the load does not belong to this contact"),
+          source("Lundberg 1939; Johns and Gohar 1981")),
+      key("shortest_wave", in_SI("_m", "m", "2.5e-4"), positive, of("table"), example("4"),
+          "Cut-off wavelength of a measured profile, in half widths a. A Gaussian filter "
+          "removes shorter waves; a wave of this length keeps half of its height. The form "
+          "is kept up to the ends. Without this key the profile is not filtered.",
+          source("ISO 16610-31, second order, not robust")),
+      key("levelling", by_default("none"), words({"none", "line"}), of("table"),
+          "What is subtracted from a measured profile. none: nothing. line: the straight line of least squares, "
+          "which is the tilt of the roller in the instrument."),
+      key("file", of("table"), required("give the table of y and drop"), example("profile.csv"), file,
+          "Profile as a table with the columns y and drop, the distance by which the surface lies below the middle "
+          "of the roller, in m; in a and a^2/R for a contact without units. A heading may name other units, y [mm] "
+          "and drop [um]. It needs at least four rows with rising y, from end to end or from the middle to one end "
+          "(then mirrored), and must not reach beyond ten times half of the length. Values between the rows are "
+          "interpolated smoothly.")};
+}
+
+deck::Records<Profile> records() {
+  using namespace deck::record;
+  using enum Profile::Shape;
+  return deck::together<deck::Record<Profile>>(
+      {{key("profile", &Profile::shape,
+            {{"straight", straight}, {"crowned", crowned}, {"logarithmic", logarithmic}, {"table", table}},
+            example("logarithmic"),
+            "Profile of the roller along its axis. straight: with rounded ends, by end_length and end_radius. "
+            "crowned: a circular arc of crown_radius. logarithmic: the profile that gives a uniform dry pressure "
+            "at the design load. table: from a file. The gap ends at the ends of the roller; the bodies deform as "
+            "half-spaces, which is not accurate at a sharp end. Used only with [contact] kind = roller, or with "
+            "[case] kind = roller_race or gear_mesh (the face width of a tooth).",
+            source("modules/effects/roller/README.md"))},
+       shape_records(),
+       {key("tilt", in_SI("_mrad", "mrad", "0.5"), Range{-100.0, 100.0}, by_default("0"), needs("profile"),
+            example("0.01"),
+            "Misalignment of the roller, as the slope dH/dY of the gap; the unit is a/R of an angle. The gap opens "
+            "towards y > 0. At least a tenth of the roller's length must carry load, estimated by a slice "
+            "model.")}});
 }
 
 // Reads the table. returns what is wrong with the file; empty if nothing is.
@@ -127,16 +109,9 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   return {};
 }
 
-// Reads a number that the shape requires, in its dimensionless unit.
-double needed(const deck::Part& part, const std::string& name, const deck::PlainUnit& unit) {
-  if (part.given_of({name, name + unit.suffix}).empty())
-    part.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI", deck::Cause::missing);
-  return part.number_in(name, unit);
-}
-
 void read_straight(const deck::Part& part, const Scales& scales, Profile& profile) {
-  profile.end_length = needed(part, "end_length", {"_m", scales.a, scales.in_SI});
-  profile.end_radius = needed(part, "end_radius", {"_m", scales.radius, scales.in_SI});
+  profile.end_length = part.number_in("end_length", {"_m", scales.a, scales.in_SI});
+  profile.end_radius = part.number_in("end_radius", {"_m", scales.radius, scales.in_SI});
   if (!(profile.end_length > 0.5 * profile.length)) return;
   const bool plain = part.given("end_length");
   const double unit = plain ? 1.0 : scales.a;
@@ -147,45 +122,20 @@ void read_straight(const deck::Part& part, const Scales& scales, Profile& profil
 
 }  // namespace
 
-std::vector<Key> keys() {
-  const Key tilt{
-      .name = "tilt",
-      .default_text = "0",
-      .range = {-100.0, 100.0},
-      .meaning =
-          "Misalignment of the roller, as the slope dH/dY of the gap; the unit is a/R of an angle. The gap opens "
-          "towards y > 0. At least a tenth of the roller's length must carry load, estimated by a slice model.",
-      .needs = {.name = "profile"},
-      .example = "0.01"};
-  return deck::in_section(
-      "roller",
-      deck::together(
-          {{{.name = "profile",
-             .words = {"straight", "crowned", "logarithmic", "table"},
-             .meaning =
-                 "Profile of the roller along its axis. straight: with rounded ends, by end_length and end_radius. "
-                 "crowned: a circular arc of crown_radius. logarithmic: the profile that gives a uniform dry pressure "
-                 "at the design load. table: from a file. The gap ends at the ends of the roller; the bodies deform as "
-                 "half-spaces, which is not accurate at a sharp end. Used only with [contact] kind = roller, or with "
-                 "[case] kind = roller_race or gear_mesh (the face width of a tooth).",
-             .source = "modules/effects/roller/README.md",
-             .example = "logarithmic"}},
-           shape_keys(),
-           {tilt, in_SI(tilt, "_mrad", "mrad", "0.5")}}));
-}
+std::vector<deck::Key> keys() { return deck::keys_of("roller", records()); }
 
 Profile read(deck::Deck& deck, const Scales& scales) {
   using enum Profile::Shape;
   const deck::Part part{deck, "roller"};
   Profile profile;
   profile.length = scales.length;
-  profile.shape = part.choice("profile", {straight, crowned, logarithmic, table});
+  deck::read(part, records(), profile);
   if (profile.shape == straight) read_straight(part, scales, profile);
   if (profile.shape == crowned)
-    profile.crown_radius = needed(part, "crown_radius", {"_m", scales.radius, scales.in_SI});
+    profile.crown_radius = part.number_in("crown_radius", {"_m", scales.radius, scales.in_SI});
   if (const double Q = part.number_in("design_load", {"_N", scales.load, scales.in_SI}); !std::isnan(Q)) {
     profile.design_load = Q;
-    const deck::Key& key = *deck::find_key(deck.catalogue, "roller", "design_load");
+    const deck::Key& key = part.key("design_load");
     if (!part.given("design_load") && !key.range.contains(Q))
       part.complain("design_load_N",
                     fmt::format("is {:.4g} times the load, which must be {}: {}", Q, deck::allowed(key), key.remedy));
@@ -197,11 +147,8 @@ Profile read(deck::Deck& deck, const Scales& scales) {
   profile.trace.level = part.word("levelling") == "line";
   if (const double wave = part.number_in("shortest_wave", {"_m", scales.a, scales.in_SI}); !std::isnan(wave))
     profile.trace.shortest_wave = wave;
-  if (!part.given("file"))
-    part.complain("file", "is missing: give the table of y and drop", deck::Cause::missing);
-  else if (const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);
-           !wrong.empty())
-    part.complain("file", wrong);
+  const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);
+  if (!wrong.empty()) part.complain("file", wrong);
   return profile;
 }
 

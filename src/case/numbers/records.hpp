@@ -1,5 +1,5 @@
 #pragma once
-// How the records of the registry are written, for the files of this folder alone:
+// How the records of the registry are written, for the files of this folder and of the effects:
 //   number(name, unit, meaning, options..., value)
 #include <type_traits>
 #include <utility>
@@ -70,11 +70,5 @@ std::vector<Number> point_formulas();
 std::vector<Number> point_deviations();
 std::vector<Number> ellipse_formulas();
 std::vector<Number> ellipse_deviations();
-std::vector<Number> friction_numbers();
-std::vector<Number> shear_numbers();
-std::vector<Number> thermal_numbers();
-std::vector<Number> starvation_numbers();
-std::vector<Number> transient_numbers();
-std::vector<Number> step_numbers();
 
 }  // namespace ehl::program::numbers

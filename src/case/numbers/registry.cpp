@@ -29,17 +29,9 @@ bool asks_roughness(const deck::Deck& deck) {
   const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
   return gives(deck, "contact", "Sq1") || gives(deck, "contact", "Sq2") || has_map("surface1") || has_map("surface2");
 }
-bool asks_friction(const deck::Deck& deck) { return gives(deck, "friction", "cavitated"); }
-bool asks_heat(const deck::Deck& deck) { return deck::called_for(deck, "thermal"); }
-bool asks_supply(const deck::Deck& deck) { return deck::called_for(deck, "supply"); }
 bool never(const deck::Deck&) { return false; }
 
 bool has_rough(Of s) { return s.computed.outcome.roughness.has_value(); }
-bool has_rubbed(Of s) { return s.computed.friction.has_value(); }
-bool has_thinned(Of s) { return s.computed.flow.has_value(); }
-bool has_heated(Of s) { return s.computed.heat.has_value(); }
-bool has_starved(Of s) { return solution(s).starvation.has_value(); }
-bool has_in_time(Of s) { return s.computed.in_time.has_value(); }
 
 const Group& group(const std::string& name) {
   const auto found = std::ranges::find(registry(), name, &Group::name);
@@ -71,10 +63,21 @@ std::vector<Quantity> quantities(const Group& in, Of s) {
 
 std::string path_in(const Group& in, const std::string& name) { return in.home + "/" + in.prefix + name; }
 
+// Columns of the table of steps.
+std::vector<Number> step_numbers() {
+  return {number(id::time, "a/u_m", "time reached"),
+          number(id::load, "-", "prescribed load over that of the contact", label("load F/F_0")),
+          number(id::speed, "-", "entrainment speed (u1 + u2)/2 over u_m", label("entrainment speed over u_m"))};
+}
+
 struct Record {
   const Group* group;
   const Number* number;
 };
+
+bool has_columns(const Group& in) {
+  return std::ranges::any_of(in.numbers, [](const Number& one) { return one.column.place > 0; });
+}
 
 const Record& record_of(const std::string& name) {
   static const std::map<std::string, Record> all = [] {
@@ -139,14 +142,12 @@ const std::vector<Group>& registry() {
         {.name = "deviations of ellipses", .numbers = ellipse_deviations(), .asked = asks_ellipse},
         {.name = "row", .numbers = row_numbers(), .home = "", .known = Known::before},
         {.name = "timing", .numbers = timing_numbers(), .home = "", .asked = never},
-        {.name = "friction", .numbers = friction_numbers(), .on = has_rubbed, .asked = asks_friction},
-        {.name = "shear", .numbers = shear_numbers(), .on = has_thinned, .asked = never},
-        {.name = "thermal", .numbers = thermal_numbers(), .on = has_heated, .asked = asks_heat},
-        {.name = "starvation", .numbers = starvation_numbers(), .on = has_starved, .asked = asks_supply},
-        {.name = "transient", .numbers = transient_numbers(), .prefix = "transient_", .on = has_in_time},
         {.name = "steps", .numbers = step_numbers(), .home = "/transient"}};
-    for (const Effect& effect : effects())
-      if (effect.numbers) groups.push_back(effect.numbers());
+    // A number of two effects, as mu of [friction] and [shear], is known by the record that tables show.
+    for (const bool in_tables : {true, false})
+      for (const Effect& effect : effects())
+        if (effect.numbers)
+          if (Group group = effect.numbers(); has_columns(group) == in_tables) groups.push_back(std::move(group));
     return groups;
   }();
   return all;

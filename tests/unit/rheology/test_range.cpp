@@ -14,7 +14,7 @@ namespace {
 constexpr double alpha = 2.2e-8;
 
 std::vector<std::string> found(const ViscosityLaw& law, const Loading& loading) {
-  const std::vector<std::string> texts = told(out_of_range(law, Incompressible{}, loading));
+  const std::vector<std::string> texts = with_names(out_of_range(law, Incompressible{}, loading));
   for (const std::string& text : texts) BOOST_TEST_MESSAGE(text);
   return texts;
 }
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(pressures_nobody_measured_at_are_named) {
   BOOST_TEST(one_says(beyond, "alpha_bar P = 44.2"));
 
   const auto density = [&](double P_max) {
-    return told(out_of_range(Isoviscous{}, make_dowson_higginson(p_h), {.P_max = P_max, .p_h = p_h}));
+    return with_names(out_of_range(Isoviscous{}, make_dowson_higginson(p_h), {.P_max = P_max, .p_h = p_h}));
   };
   BOOST_TEST(density(1.99).empty());
   BOOST_TEST(one_says(density(2.01), "rho/rho0 = 1.26"));

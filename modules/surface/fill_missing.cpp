@@ -1,4 +1,5 @@
-// Fills points that an instrument could not measure.
+#include "surface/fill_missing.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/map_file.hpp"
-
-namespace ehl::program {
+namespace ehl::surface {
 namespace {
 
 constexpr double most_missing = 0.2;  // share of all points
@@ -17,8 +16,6 @@ constexpr double most_missing = 0.2;  // share of all points
 constexpr int most_sweeps = 2000;
 constexpr double settled = 1e-7;
 constexpr double over_relaxation = 1.7;
-
-using surface::Heights;
 
 // Sum and number of the known neighbours.
 std::pair<double, int> neighbours(const Heights& z, int k, int l) {
@@ -56,8 +53,7 @@ void begin_from_edges(Heights& z, std::vector<std::pair<int, int>> holes) {
 
 }  // namespace
 
-std::string fill_missing(MapInFile& map) {
-  Heights& z = map.heights;
+std::string fill_missing(Heights& z, int& filled) {
   std::vector<std::pair<int, int>> holes;
   double least = INFINITY, most = -INFINITY;
   for (int l = 0; l < z.ny; ++l)
@@ -66,7 +62,7 @@ std::string fill_missing(MapInFile& map) {
         holes.emplace_back(k, l);
       else
         least = std::min(least, z(k, l)), most = std::max(most, z(k, l));
-  map.filled = static_cast<int>(holes.size());
+  filled = static_cast<int>(holes.size());
   if (holes.empty()) return {};
   const double share = static_cast<double>(holes.size()) / static_cast<double>(z.values.size());
   if (share > most_missing)
@@ -86,4 +82,4 @@ std::string fill_missing(MapInFile& map) {
   return {};
 }
 
-}  // namespace ehl::program
+}  // namespace ehl::surface
