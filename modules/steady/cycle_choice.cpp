@@ -61,7 +61,7 @@ void limit_steps(const Choice& choice, Parameters& parameters) {
   parameters.relaxation.most_change = choice.tuning.most_change_of_log_viscosity / slope;
 }
 
-// At least this mesh size of the coarsest grid.
+// Mesh size of the coarsest grid: at most `widest`.
 void limit_coarsest_step(double widest, const Choice& choice, Parameters& parameters) {
   const double length = choice.scene.grid.X_b - choice.scene.grid.X_a;
   int cells = choice.start.coarsest;
@@ -77,12 +77,6 @@ void relax_more(int pre, int post, const Choice& choice, Parameters& parameters)
 }
 
 bool heavy_line(const Choice& choice) { return choice.is.line && choice.start.pre > 0; }
-bool slender(const Choice& choice) { return choice.is.elongated && choice.is.stretched; }
-
-bool narrow_domain(const Choice& choice) {
-  const core::Grid& grid = choice.scene.grid;
-  return !choice.is.circular && !(grid.X_b - grid.X_a < choice.tuning.narrow_domain * (grid.Y_b - grid.Y_a));
-}
 
 // The table: every rule whose condition holds sets its parameters, in this order. The names are rows of
 // tests/bench/tuning.csv. Parameters that the deck gives (cycle, pre, post) are kept.
@@ -144,20 +138,14 @@ constexpr Rule rules[] = {
        const double widest = c.is.elongated ? c.tuning.widest_coarsest_step_elongated : c.tuning.widest_coarsest_step;
        limit_coarsest_step(widest * (c.scene.contact.size / c.scene.contact.slenderness), c, p);
      }},
-    {"narrow_domain", [](const Choice& c) { return !c.is.line && !c.is.oblique && narrow_domain(c); },
-     [](const Choice& c, Parameters& p) {
-       p.least_coarsest_cells = std::max(p.least_coarsest_cells, 2 * c.start.coarsest);
-     }},
 
     // ---- Relaxations: more than usual where coarse grids return poor corrections
     {"starts_of_heavy_lines", heavy_line,
      [](const Choice& c, Parameters& p) { relax_more(c.start.pre, c.start.post, c, p); }},
-    {"steep_log_viscosity_of_slender",
-     [](const Choice& c) { return slender(c) && c.is.edge > c.tuning.steep_log_viscosity_of_slender; },
-     [](const Choice& c, Parameters& p) { relax_more(3, 2, c, p); }},
-    {"steep_log_viscosity_of_slender",
-     [](const Choice& c) { return slender(c) && !(c.is.edge > c.tuning.steep_log_viscosity_of_slender); },
-     [](const Choice& c, Parameters& p) { relax_more(3, 1, c, p); }},
+    {"steep_log_viscosity_of_slender", [](const Choice& c) { return c.is.elongated && c.is.stretched; },
+     [](const Choice& c, Parameters& p) {
+       relax_more(3, c.is.edge > c.tuning.steep_log_viscosity_of_slender ? 2 : 1, c, p);
+     }},
 
     // ---- Cycle. F(2,0) leaves the smallest algebraic error of Hc and Hm for its work, W(2,1) the smallest residual.
     // On

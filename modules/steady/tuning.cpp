@@ -21,8 +21,6 @@ const std::vector<core::TunedNumber<Tuning>>& tuned_numbers() {
        "coarsest cell if it is elongated"},
       {"widest_coarsest_step_of_heavy_line", Tunable::positive, &Tuning::widest_coarsest_step_of_heavy_line,
        "coarsest cell of heavily loaded lines"},
-      {"narrow_domain", Tunable::positive, &Tuning::narrow_domain,
-       "length over width of a narrow domain, which gets a finer coarsest grid"},
       {"crossover_of_line", Tunable::positive, &Tuning::crossover_of_line,
        "epsilon/h^2 above which a point of a line is relaxed singly"},
       {"least_single_epsilon_of_line", Tunable::positive, &Tuning::least_single_epsilon_of_line,

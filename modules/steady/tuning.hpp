@@ -17,8 +17,7 @@ struct Tuning {
   core::Positive widest_coarsest_step_elongated =
       0.8;  ///< coarsest cell if it is elongated [bench: widest_coarsest_step]
   core::Positive widest_coarsest_step_of_heavy_line = 0.15;  ///< coarsest cell of heavily loaded lines
-  core::Positive narrow_domain = 1.99;     ///< length over width of a narrow domain, which gets a finer coarsest grid
-  core::Positive crossover_of_line = 3e3;  ///< epsilon/h^2 above which a point of a line is relaxed singly
+  core::Positive crossover_of_line = 3e3;              ///< epsilon/h^2 above which a point of a line is relaxed singly
   core::Positive least_single_epsilon_of_line = 0.02;  ///< epsilon above which a point of a line is relaxed singly
   core::Share weight_of_line = 0.8;                    ///< under-relaxation of distributed changes on lines
   core::Share weight_when_stretched = 0.8;             ///< factor on all weights on stretched cells

@@ -15,7 +15,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # How many tuned numbers a module has. These counts may only fall.
-MOST = {"multigrid": 50, "judgement": 25, "steady": 105, "newton": 11, "transient": 30, "heat": 27}
+MOST = {"multigrid": 50, "judgement": 25, "steady": 104, "newton": 11, "transient": 30, "heat": 27}
 
 # Constants that are not tuned, per module: what each is. These lists may only become shorter.
 NOT_TUNED = {
@@ -38,8 +38,8 @@ NOT_TUNED = {
         "tolerance_at_rounding": "rounding", "tolerance_of_rounding": "rounding",
         "levels_of_an_estimate": "grids of an estimate", "restart": "a start", "faster": "difference quotient",
         "share_of_line": "fit of the expected film", "share_of_flooded": "display", "usual": "a start",
-        "more_cycles": "a start", "finer": "a start", "finer_coarsest": "a start", "damped": "a start",
-        "finest": "a start", "of_line": "a start", "most_relaxations": "a start", "of_heavy_line": "a start",
+        "finer": "a start", "finer_coarsest": "a start", "damped": "a start",
+        "of_line": "a start", "most_relaxations": "a start", "of_heavy_line": "a start",
         "of_ellipse": "a start", "hardly_an_error": "definition of a warning",
         "unresolved_film": "definition of a warning", "most_nodes_of_newton": "memory",
         "most_nodes_of_second_newton": "time", "directions": "quadrature", "steps": "quadrature",
