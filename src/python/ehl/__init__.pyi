@@ -405,7 +405,7 @@ class DeformationKeys(TypedDict, total=False):
     default: mlmi; allowed: one of mlmi, fft, direct"""
     order: int
     """Order 2p of the transfers between grids: 4, 6 or 8. (only with [deformation] method = mlmi)
-    default: chosen for the grid; allowed: a whole number >= 4 and <= 8"""
+    default: chosen for the grid; allowed: an even number >= 4 and <= 8"""
     patch_along: int
     """Radius of the correction patch in the coarsening direction, in points. (only with [deformation] method = mlmi)
     default: chosen for the grid; allowed: a whole number >= 1 and <= 64"""
@@ -450,7 +450,7 @@ class MultigridKeys(TypedDict, total=False):
     default: elimination; allowed: one of elimination, decimation"""
     kernel_terms: int
     """Number of terms of the elastic influence along a line that the line system keeps: 3, 5 or 7.
-    default: 3; allowed: a whole number >= 3 and <= 7"""
+    default: 3; allowed: an odd number >= 3 and <= 7"""
 
 class ContinuationKeys(TypedDict, total=False):
     """Load continuation: a high load is reached from lower ones if needed."""
@@ -876,7 +876,7 @@ class ThermalKeys(TypedDict, total=False):
     default: none; allowed: a number >= 500 and <= 25000 kg/m^3"""
     nodes: int
     """Number of nodes across the film; it must be odd.
-    default: 17; allowed: a whole number >= 5 and <= 65"""
+    default: 17; allowed: an odd number >= 5 and <= 65"""
     convection: Literal["on", "off"] | bool
     """Whether the oil carries heat along with its flow.
     default: on; allowed: one of on, off"""
