@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(wrong_numbers_are_refused) {
   BOOST_TEST(contains(unknown, "`ehl keys tuning` lists the keys"), unknown);
   BOOST_TEST(contains(refusal("transient.first_step=1e-4"), "transient.first_step"));  // a steady contact
   const std::string cold = refusal("heat.most_cycles=9");
-  BOOST_TEST(contains(cold, "has no influence without [thermal] or [shear] flow = on"), cold);
+  BOOST_TEST(contains(cold, "heat.most_cycles"), cold);
   BOOST_TEST(refusal("steady.widest_step=2").empty());
 }
 
