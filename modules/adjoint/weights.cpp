@@ -54,18 +54,18 @@ void Adjoint::scatter(const newton::Slopes& slopes, std::span<const double> x, c
     }
 }
 
-// K^T v. A node that stands for its mirror image too has that weight in the inner product in which K is symmetric.
+// K^T v. A node that stands for its mirror image too has that weight in the inner product in which K is symmetric. The
+// copies of the line of a line contact, which stand for none, have no part in it.
 void Adjoint::deform(core::Field& v) {
   const core::Patch& grid = level_.grid;
-  const bool line = grid.domain.line;
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) v(i, j) /= line ? 1.0 : grid.lines(j);
+    for (int j = 0; j <= grid.ny; ++j) v(i, j) /= std::max(1.0, grid.lines(j));
   {
     const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
     level_.deformation.evaluate(v, deformed_);
   }
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) deformed_(i, j) *= line ? 1.0 : grid.lines(j);
+    for (int j = 0; j <= grid.ny; ++j) deformed_(i, j) *= std::max(1.0, grid.lines(j));
 }
 
 // Unknowns: one for the equation of each interior node, one for the load, and those of the boundary. Rows

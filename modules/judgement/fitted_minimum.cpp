@@ -25,8 +25,8 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
   const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
-  // A line contact does not vary along Y.
-  const double c = grid.domain.line ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
+  const double curvature = H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
+  const double c = curvature == 0.0 && k == 0.0 ? 1.0 : curvature;  // a film that does not vary along Y
   const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
   const double determinant = a * c - b * b;
   if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
@@ -39,7 +39,8 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
 /// Interpolation through five nodes along a line: the weight of each at t cells from the middle one, and its first two
 /// derivatives.
 struct Along {
-  std::array<double, 5> value, slope, curvature;
+  std::array<double, 5> value{}, slope{}, curvature{};
+  int first = 0;  ///< nodes before `first` and as many at the other end have no weight
 };
 Along along(double t) {
   constexpr double by_powers[5][5] = {{0.0, 2.0 / 24, -1.0 / 24, -2.0 / 24, 1.0 / 24},
@@ -57,6 +58,17 @@ Along along(double t) {
   return at;
 }
 
+/// Interpolation along Y. A line contact has one node there and no slope; any curvature keeps Newton's step on its
+/// line.
+Along along_Y(const core::Patch& grid, double t) {
+  const std::array<double, 5> middle{0.0, 0.0, 1.0, 0.0, 0.0};
+  return grid.domain.line ? Along{middle, {}, middle, 2} : along(t);
+}
+/// True if all nodes of the interpolation around line j are on the grid.
+bool fits_along_Y(const core::Patch& grid, int j) {
+  return grid.domain.line || (j >= 2 && (grid.north == core::Edge::mirror ? j : j + 2) <= grid.ny);
+}
+
 /// Newton's method from the paraboloid's minimum; the point stays in the middle of the five nodes along x and y.
 std::optional<Near> minimum_of_quartic(const core::Patch& grid, const core::Field& film, const Near& begin) {
   constexpr int most_steps = 20;
@@ -66,22 +78,19 @@ std::optional<Near> minimum_of_quartic(const core::Patch& grid, const core::Fiel
     const int di = static_cast<int>(std::lround(at.x)), dj = static_cast<int>(std::lround(at.y));
     at = {at.i + di, at.j + dj, at.x - di, at.y - dj};
     if (std::abs(at.i - begin.i) > reach || std::abs(at.j - begin.j) > reach) return std::nullopt;
-    const bool mirrored = grid.north == core::Edge::mirror;
-    const bool line = grid.domain.line;
-    if (at.i < 2 || at.i + 2 > grid.nx) return std::nullopt;
-    if (!line && (at.j < 2 || (mirrored ? at.j : at.j + 2) > grid.ny)) return std::nullopt;
-    const Along x = along(at.x), y = along(at.y);
+    if (at.i < 2 || at.i + 2 > grid.nx || !fits_along_Y(grid, at.j)) return std::nullopt;
+    const Along x = along(at.x), y = along_Y(grid, at.y);
     const auto sum = [&](const std::array<double, 5>& by_x, const std::array<double, 5>& by_y) {
       double all = 0.0;
       for (int k = 0; k < 5; ++k)
-        for (int l = line ? 2 : 0; l < (line ? 3 : 5); ++l)
+        for (int l = y.first; l < 5 - y.first; ++l)
           all += by_x[static_cast<std::size_t>(k)] * by_y[static_cast<std::size_t>(l)] *
                  film(at.i + k - 2, grid.holder(at.j + l - 2));
       return all;
     };
-    const double g = sum(x.slope, y.value), k = line ? 0.0 : sum(x.value, y.slope);
-    const double a = sum(x.curvature, y.value), b = line ? 0.0 : sum(x.slope, y.slope);
-    const double c = line ? 1.0 : sum(x.value, y.curvature);
+    const double g = sum(x.slope, y.value), k = sum(x.value, y.slope);
+    const double a = sum(x.curvature, y.value), b = sum(x.slope, y.slope);
+    const double c = sum(x.value, y.curvature);
     const double determinant = a * c - b * b;
     if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
     const double dx = std::clamp((b * k - c * g) / determinant, -longest_step, longest_step);
@@ -121,12 +130,11 @@ std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const
   const auto [x, y] = std::pair(at.x, at.y);
   if (quartic) {
     std::vector<NodeWeight> weights;
-    const Along by_x = along(x), by_y = along(y);
-    const std::size_t first = grid.domain.line ? 2 : 0;
+    const Along by_x = along(x), by_y = along_Y(grid, y);
     for (std::size_t k = 0; k < 5; ++k)
-      for (std::size_t l = first; l < 5 - first; ++l)
-        weights.push_back({at.i + static_cast<int>(k) - 2, grid.holder(at.j + static_cast<int>(l) - 2),
-                           by_x.value[k] * by_y.value[l]});
+      for (int l = by_y.first; l < 5 - by_y.first; ++l)
+        weights.push_back({at.i + static_cast<int>(k) - 2, grid.holder(at.j + l - 2),
+                           by_x.value[k] * by_y.value[static_cast<std::size_t>(l)]});
     return weights;
   }
   const int own = at.j;

@@ -61,7 +61,7 @@ void extend_from_ends(Row& row, double least, bool mirror) {
 
 void extend_boundary(const Hierarchy& hierarchy, Level& level) {
   const core::Patch& grid = level.grid;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::HalfInverseSquares half(grid);
   const double least = reynolds::relative_strength(hierarchy.transport, grid.hx());
   const reynolds::Face face = level.scheme.face;
   core::Field& change = level.correction;

@@ -20,7 +20,7 @@ class Coupling {
         eps_across_(eps_across(level)),
         elastic_(elastic),
         elastic_across_(elastic * core::stretch(level.grid)),
-        half_(level.grid.hx(), level.grid.hy()) {}
+        half_(level.grid) {}
 
   double west(int i, int j) const { return along(i - 1, j); }
   double east(int i, int j) const { return along(i, j); }
@@ -56,7 +56,7 @@ int finer_station(const Level& fine, const Level& coarse, int I) { return fine.g
 
 // The points next to cavitated ones that are left to relaxation: without residual and correction.
 reynolds::Neighbours left_to_relaxation(const Level& fine, const Level& coarse) {
-  const bool across_alone = fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line;
+  const bool across_alone = fine.grid.nx == coarse.grid.nx;
   return across_alone ? reynolds::Neighbours::across : reynolds::Neighbours::all;
 }
 

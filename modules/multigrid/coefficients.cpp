@@ -31,7 +31,6 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
                       .drho_bar = level.drho_bar.station(i)});
   core::fill_ghosts(level.grid, level.eps.at_x(i));
   if (anisotropic) core::fill_ghosts(level.grid, level.eps_across.at_x(i));
-  if (level.grid.domain.line) std::ranges::fill(level.eps_across.station(i), 0.0);
 }
 
 // One column with epsilon at half points: the nodal values from which that is computed.
@@ -151,7 +150,7 @@ void make_half_points(Hierarchy& hierarchy, Level& level) {
     if (third_order && i > 0 && i < level.grid.nx) third_order_behind_station(transport, how.lambda, level, i, work);
     if (!at_half_points(level)) return;
     if (i < level.grid.nx) epsilon_behind_station(how, level, i, work);
-    if (!level.grid.domain.line) epsilon_on_station(how, level, i, work);
+    epsilon_on_station(how, level, i, work);
   });
 }
 

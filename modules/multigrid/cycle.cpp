@@ -20,7 +20,7 @@ int visits_of_coarsest(Cycle kind, int l) {
 
 /// A grid that is coarsened along Y alone is corrected once, whatever the cycle: its corrector costs half as much as
 /// the grid itself, and one correction is enough. [bench: correct_once]
-bool once(const Level& fine, const Level& coarse) { return fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line; }
+bool once(const Level& fine, const Level& coarse) { return fine.grid.nx == coarse.grid.nx; }
 
 /// Sum of |r| of the nodes whose pressure may change, over the sum of the transport term, plus the relative defect of
 /// the load. (The load is included since a visit that corrects H00 disturbs a residual that was small. A root mean

@@ -74,7 +74,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .H = zero(),
           .scheme = scheme_of(problem),
           .eps = zero(),
-          .eps_across = film::anisotropic(problem.film) || half_points || grid.domain.line ? zero() : core::Field(),
+          .eps_across = film::anisotropic(problem.film) || half_points ? zero() : core::Field(),
           .oil = half_points ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
           .factors = problem.film.has_factors ? std::optional(film::unit_factors(grid)) : std::nullopt,
           .third_order = half_points || reynolds::third_order(problem.transport.wedge) ? zero() : core::Field(),
@@ -189,7 +189,7 @@ void take_line_zero(Hierarchy& hierarchy, double line_zero) {
   RelaxationParameters how = hierarchy.parameters.relaxation;
   how.line_zero = line_zero;
   for (Level& level : hierarchy.levels)
-    if (level.grid.domain.line) level.film_terms = film_terms(level.grid, hierarchy.problem.geometry.kernel, how);
+    level.film_terms = film_terms(level.grid, hierarchy.problem.geometry.kernel, how);
 }
 
 double share_of_supply(const Hierarchy& hierarchy, const Level& level) {

@@ -126,7 +126,7 @@ struct Level {
   core::Field H;
   Scheme scheme;
   core::Field eps;         ///< along X, stored as scheme.face says; see eps_across() for Y
-  core::Field eps_across;  ///< along Y if it may differ (thinning, half points); 0 for a line contact; else empty
+  core::Field eps_across;  ///< along Y if it may differ (thinning, half points); else empty
   OilFields oil;
   std::optional<film::FactorFields> factors;  ///< if the film model has factors
   core::Field third_order;                    ///< theta of the face downstream of each node (flux.hpp); empty if unused
@@ -156,7 +156,6 @@ struct Level {
 inline bool at_half_points(const Level& level) { return level.scheme.face != reynolds::Face::mean; }
 /// epsilon along Y, chosen here so that the stencils read two fields without a branch.
 inline const core::Field& eps_across(const Level& level) {
-  if (level.grid.domain.line) return level.eps_across;
   const bool held_apart = level.oil.fluidity.nodes_x() == 0 || level.oil.fluidity_across.nodes_x() > 0;
   return level.eps_across.nodes_x() > 0 && (held_apart || at_half_points(level)) ? level.eps_across : level.eps;
 }

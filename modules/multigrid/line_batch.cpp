@@ -97,7 +97,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const DistributedShares shares = distributed_shares(grid);
   const double film_beside = hierarchy.parameters.tuning.film_beside;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::HalfInverseSquares half(grid);
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
@@ -167,8 +167,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 template <int reach, LineSolver solver>
 Lanes LineBatch<reach, solver>::weight_at(const Level& level, int i) const {
   const auto k = static_cast<std::size_t>(i);
-  return weight_of_change(how_, work_.distributive[k + ThreadWork::margin],
-                          work_.range_of(k, level.grid.domain.line, core::stretch(level.grid)));
+  return weight_of_change(how_, work_.distributive[k + ThreadWork::margin], work_.range_of(k));
 }
 
 template <int reach, LineSolver solver>

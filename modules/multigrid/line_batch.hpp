@@ -4,6 +4,7 @@
 
 #include "film/half_points.hpp"
 #include "multigrid/hierarchy.hpp"
+#include "multigrid/relaxation.hpp"
 #include "multigrid/thread_work.hpp"
 
 namespace ehl::multigrid {
@@ -93,6 +94,37 @@ inline void hold_to_what_is_there(core::Lanes P, core::Lanes& delta, core::Lanes
   delta = too_much ? -P : delta;
   distributed = too_much ? -P : distributed;
 }
+
+/// Which points of a level have a single change.
+class KindRule {
+ public:
+  KindRule(const Hierarchy& hierarchy, const Level& level, const RelaxationParameters& how)
+      : crossover_(crossover_on(hierarchy, level.grid, how)),
+        crossover2_(crossover_ * crossover_),
+        stretched_(core::stretched(level.grid)) {
+    const double squeeze = hierarchy.transport.squeeze;
+    far_single_ =
+        core::broadcast(how.far_squeeze * film_response(level, 0) * squeeze + how.far_squeeze_of_zone * squeeze);
+    far_beside_ = core::broadcast(how.far_squeeze_beside * squeeze);
+  }
+  /// True where e_max sqrt(e_max/e_min) > crossover, written without root and division; e_min = 0 makes a point single
+  /// unless e_max = 0 too. On stretched cells without the root: the top of a spike that runs along the lines would
+  /// distribute half of its change to the flank next to it, where epsilon takes that back, and the film changes far
+  /// more than the row assumes. [bench: kind_on_stretched_cells]
+  core::LaneMask single(core::Lanes largest, core::Lanes smallest) const {
+    const core::Lanes squared = largest * largest;
+    return stretched_ ? squared > crossover_ * smallest : squared * largest > crossover2_ * smallest;
+  }
+  /// ThreadWork::far_squeeze. in: single by single(); single for any reason.
+  core::Lanes squeezed(core::LaneMask by_epsilon, core::LaneMask single) const {
+    return by_epsilon ? far_single_ : single ? far_beside_ : core::Lanes{};
+  }
+
+ private:
+  double crossover_, crossover2_;
+  bool stretched_;
+  core::Lanes far_single_, far_beside_;
+};
 
 /// Kinds of rows: epsilon at the nodes and a wedge of three weights; the same with epsilon following the film; all
 /// terms; the mass-conserving cavitation model.

@@ -50,17 +50,19 @@ bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& par
 
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
                             reynolds::Cavitation cavitation) {
-  const std::vector<double> across(static_cast<std::size_t>(grid.domain.line ? 0 : grid.nodes_y()));
+  const std::vector<double> across(static_cast<std::size_t>(grid.nodes_y()));
   ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),
                   .line_nodes = make_line_nodes(grid, film::anisotropic(film)),
                   .line_system = {},
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
-                  .rows_across = std::vector<RowAcross>(grid.domain.line ? 0 : grid.nodes_y()),
+                  .rows_across = std::vector<RowAcross>(across.size()),
                   .eps_P = across,
                   .eps_H = across,
                   .eps_across_P = film::anisotropic(film) ? across : std::vector<double>{},
                   .eps_across_H = film::anisotropic(film) ? across : std::vector<double>{},
+                  .one_line = grid.domain.line,
+                  .stretch = core::stretch(grid),
                   .west = {},
                   .south = {},
                   .north = {},
@@ -123,7 +125,7 @@ void LineCoefficients::read_answers(const Tuning& tuning, const Level& level, in
 
 void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int j) {
   const core::Patch& grid = level.grid;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::HalfInverseSquares half(grid);
   const core::Field& eps_across = multigrid::eps_across(level);
   const auto read = [&](auto face, auto two) {
     Lanes before = own_lines(level.eps, 0, j);
@@ -141,18 +143,13 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   if (at_half_points(level)) {
     read(std::integral_constant<Face, Face::logmean>{}, std::true_type{});
     read_answers(hierarchy.parameters.tuning, level, j);
-  } else if (film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
+  } else if (film::anisotropic(hierarchy.problem.film)) {
     read(std::integral_constant<Face, Face::mean>{}, std::true_type{});
   } else {
     read(std::integral_constant<Face, Face::mean>{}, std::false_type{});
   }
   const double stretch = core::stretch(grid);
-  const double crossover = crossover_on(hierarchy, grid, how_);
-  const double crossover2 = crossover * crossover;
-  const double squeeze = hierarchy.transport.squeeze;
-  const Lanes far_single =
-      core::broadcast(how_.far_squeeze * film_response(level, 0) * squeeze + how_.far_squeeze_of_zone * squeeze);
-  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
+  const KindRule rule(hierarchy, level, how_);
   const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -160,29 +157,20 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
       LaneMask single = by_epsilon;
       // Next to the cavitated region, too: where P is cut off at 0, the neighbours would keep their part of the change.
       single |= beside_dry(hierarchy.problem.cavitation, level.P, i, j);
-      if constexpr (squeezed) work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
+      if constexpr (squeezed) work_.far_squeeze[k] = rule.squeezed(by_epsilon, single);
       work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
     }
   };
   const auto choose = [&](auto above_crossover) {
-    if (squeeze > 0.0)
+    if (hierarchy.transport.squeeze > 0.0)
       choose_for(std::true_type{}, above_crossover);
     else
       choose_for(std::false_type{}, above_crossover);
   };
-  // Single where e_max sqrt(e_max/e_min) > crossover, written without root and division; e_min = 0 makes a point single
-  // unless e_max = 0 too. On stretched cells without the root: the top of a spike that runs along the lines would
-  // distribute half of its change to the flank next to it, where epsilon takes that back, and the film changes far more
-  // than the row assumes. [bench: kind_on_stretched_cells]
-  const bool stretched = core::stretched(grid);
-  const auto above = [crossover, crossover2, stretched](Lanes largest, Lanes smallest) {
-    const Lanes squared = largest * largest;
-    return stretched ? squared > crossover * smallest : squared * largest > crossover2 * smallest;
-  };
-  if (!film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
+  if (!film::anisotropic(hierarchy.problem.film)) {
     choose([&](std::size_t k) {
-      const auto [low, high] = work_.range_of(k, grid.domain.line, stretch);
-      return above(high, low);
+      const auto [low, high] = work_.range_of(k);
+      return rule.single(high, low);
     });
     return;
   }
@@ -191,9 +179,10 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   choose([&](std::size_t k) {
     const auto along = [&](Lanes e) { return stretch * e; };
     const auto across = [&](Lanes e) { return e / stretch; };
-    return above(along(core::max(work_.west[k], work_.west[k + 1])),
-                 along(core::min(work_.west[k], work_.west[k + 1]))) |
-           above(across(core::max(work_.south[k], work_.north[k])), across(core::min(work_.south[k], work_.north[k])));
+    return rule.single(along(core::max(work_.west[k], work_.west[k + 1])),
+                       along(core::min(work_.west[k], work_.west[k + 1]))) |
+           rule.single(across(core::max(work_.south[k], work_.north[k])),
+                       across(core::min(work_.south[k], work_.north[k])));
   });
 }
 

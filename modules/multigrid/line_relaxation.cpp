@@ -123,7 +123,7 @@ void AlongLine<reach>::gather() {
 
 template <int reach>
 void AlongLine<reach>::read_faces() {
-  const reynolds::HalfInverseSquares half(grid_.hx(), grid_.hy());
+  const reynolds::HalfInverseSquares half(grid_);
   for_vectors(1, grid_.nx, [&](int i) {
     put(work_.west, i, reynolds::conductance(level_.scheme.face, at(work_.eps, i - 1), at(work_.eps, i), half.X));
   });
@@ -140,22 +140,16 @@ void AlongLine<reach>::read_answers() {
   });
 }
 
-// By the rule in LineCoefficients::read().
 template <int reach>
 void AlongLine<reach>::choose_kind() {
-  const double squeeze = hierarchy_.transport.squeeze;
-  const double crossover = crossover_on(hierarchy_, grid_, how_);
-  const double crossover2 = crossover * crossover;
-  const Lanes far_single =
-      core::broadcast(how_.far_squeeze * film_response(level_, 0) * squeeze + how_.far_squeeze_of_zone * squeeze);
-  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
+  const KindRule rule(hierarchy_, level_, how_);
   for_vectors(1, grid_.nx - 1, [&](int i) {
     const auto [low, high] = range_at(i);
-    const LaneMask by_epsilon = high * high * high > crossover2 * low;
+    const LaneMask by_epsilon = rule.single(high, low);
     const Lanes least = core::min(core::min(at(work_.P, i - 1), at(work_.P, i + 1)), at(work_.P, i));
     const LaneMask single = by_epsilon | reynolds::dry(cavitation_, least);
     put(work_.distributive, i, single ? Lanes{} : core::broadcast(1.0));
-    if (squeeze > 0.0) put(work_.far_squeeze, i, by_epsilon ? far_single : single ? far_beside : Lanes{});
+    if (in_time_) put(work_.far_squeeze, i, rule.squeezed(by_epsilon, single));
   });
   // Nothing is distributed after the last node.
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributive, i) = 0.0;

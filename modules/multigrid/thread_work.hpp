@@ -64,7 +64,7 @@ struct ThreadWork {
   /// One value per node of a column and one at each end: the film in epsilon on a coarse grid, or that of half points.
   std::vector<double> followed;
   std::vector<double> followed_behind;
-  std::vector<RowAcross> rows_across;  ///< of the nodes of a column; empty for a line contact
+  std::vector<RowAcross> rows_across;  ///< of the nodes of a column
   /// Derivatives of epsilon by P and H at the nodes of a column; with _across those of epsilon along Y if it differs.
   std::vector<double> eps_P, eps_H, eps_across_P, eps_across_H;
 
@@ -72,6 +72,8 @@ struct ThreadWork {
   /// Entries of `distributive` before and after the points of a line.
   static constexpr int margin = line_solvers::max_reach + 2;
 
+  bool one_line = false;  ///< true for a line contact
+  double stretch = 1.0;   ///< hx/hy of stretched cells
   /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
   std::vector<core::Lanes> west, south, north;
   /// Epsilon at half points: the terms in the row of point i that arise because the viscosity follows the pressure.
@@ -83,10 +85,10 @@ struct ThreadWork {
   struct Range {
     core::Lanes low, high;
   };
-  Range range_of(std::size_t i, bool line, double stretch) const {
+  Range range_of(std::size_t i) const {
     const core::Lanes low = stretch * core::min(west[i], west[i + 1]);
     const core::Lanes high = stretch * core::max(west[i], west[i + 1]);
-    if (line) return {low, high};
+    if (one_line) return {low, high};
     const double across = 1.0 / stretch;
     return {core::min(low, across * core::min(south[i], north[i])),
             core::max(high, across * core::max(south[i], north[i]))};

@@ -3,27 +3,9 @@
 #include "transfer/transfer.hpp"
 
 namespace ehl::reynolds {
-namespace {
-
-// drop_beside_dry() for a line contact.
-void drop_along_line(const core::Patch& grid, const core::Field& P, core::Field& r) {
-  const auto is_dry = [&](int i) { return P(i, 1) <= 0.0; };
-  bool own = is_dry(1);
-  bool west = own;
-  for (int i = 1; i < grid.nx; ++i) {
-    const bool east = i < grid.nx - 1 ? is_dry(i + 1) : own;
-    if (west || own || east) core::fill_lines(r.at_x(i), 0.0);
-    west = own;
-    own = east;
-  }
-}
-
-}  // namespace
-
 void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r,
                      Neighbours of) {
   if (!ruptures(model)) return;
-  if (grid.domain.line && !conserves(model)) return drop_along_line(grid, P, r);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const double* here = P.at_x(i);

@@ -13,7 +13,7 @@ using core::Lanes;
 template <bool held>
 void march_batch(const core::Patch& grid, const Fields& state, const Content& content, const Transport& transport,
                  const std::array<double, core::lanes>& supply, int j, core::Field& r) {
-  const HalfInverseSquares half(grid.hx(), grid.hy());
+  const HalfInverseSquares half(grid);
   const auto at = [j](const core::Field& field, int i) { return core::load(field.at_x(i) + j); };
   const auto full_at = [&](int i) { return at(state.rho_bar, i) * at(state.H, i); };
   const auto theta_at = [&](int i) {

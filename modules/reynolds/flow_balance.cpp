@@ -104,10 +104,8 @@ FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Tra
       if (j == y.first || dry(cavitation, P[j - 1])) leaves(j, -hx * fluxes.along_y(i, j - 1));
       if (j == north_end || dry(cavitation, P[j + 1])) leaves(j, hx * fluxes.along_y(i, j));
     };
-    // Most columns cross no edge of the cavitated region. There only their two end nodes count, and in a line contact,
-    // which has no flow along Y, none.
-    if (i > x.first && i < x.last && (y.last > y.first || grid.domain.line) && !any_dry(cavitation, west, P, east, y)) {
-      if (grid.domain.line) continue;
+    // Most columns cross no edge of the cavitated region. There only their two end nodes count.
+    if (i > x.first && i < x.last && y.last > y.first && !any_dry(cavitation, west, P, east, y)) {
       at(y.first);
       at(y.last);
       continue;

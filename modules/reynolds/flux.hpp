@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/grid.hpp"
 #include "reynolds/wedge.hpp"
 
 namespace ehl::reynolds {
@@ -37,9 +38,11 @@ Number total(const Faces<Number>& e) {
   return e.west + e.east + e.south + e.north;
 }
 
-/// The factors of conductance() that couple nodes, 1/(2 h^2).
+/// The factors of conductance() that couple nodes, 1/(2 h^2). The cells of a line contact have no end along Y, and
+/// nothing flows between lines: Y = 0.
 struct HalfInverseSquares {
-  explicit HalfInverseSquares(double hx, double hy) : X(0.5 / (hx * hx)), Y(0.5 / (hy * hy)) {}
+  explicit HalfInverseSquares(const core::Patch& grid)
+      : X(0.5 / (grid.hx() * grid.hx())), Y(grid.domain.line ? 0.0 : 0.5 / (grid.hy() * grid.hy())) {}
   double X, Y;
 };
 

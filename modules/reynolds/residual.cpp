@@ -3,32 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
-#include "core/simd.hpp"
+#include "core/store_lines.hpp"
 #include "reynolds/row.hpp"
 
 namespace ehl::reynolds {
 namespace {
 
-template <class Number>
-Number read(const double* p) {
-  if constexpr (std::is_same_v<Number, double>)
-    return *p;
-  else
-    return core::load(p);
-}
-void write(double* p, double value) { *p = value; }
-void write(double* p, core::Lanes values) { core::store(p, values); }
+using core::Lanes;
 
-// Number: the lines j, j+1, .. of a vector, or the one line of a line contact. plain: epsilon at the nodes and no
-// third-order flux, known at compile time.
-template <class Number, bool plain>
+// plain: epsilon at the nodes and no third-order flux, known at compile time.
+template <bool plain>
 void residual_by(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
                  core::Field& r) {
-  const HalfInverseSquares half(grid.hx(), grid.hy());
+  const HalfInverseSquares half(grid);
   const Face face = plain ? Face::mean : state.face;
-  constexpr int step = sizeof(Number) / sizeof(double);
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
@@ -41,21 +30,21 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
     const double* theta_east = plain ? nullptr : state.third_order.at_x(i);
     const double* f = state.f.nodes_x() > 0 ? state.f.at_x(i) : nullptr;
     double* out = r.at_x(i);
-    for (int j = 1; j <= grid.last_line(); j += step) {
-      const auto at = [j](const double* column) { return read<Number>(column + j); };
+    for (int j = 1; j <= grid.last_line(); j += core::lanes) {
+      const auto at = [j](const double* column) { return core::load(column + j); };
       const auto Q = [&](const double* rho, const double* film) { return at(rho) * at(film); };
-      const Columns<Number> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
-                                   Q(rho_bar.east, H.east)};
-      const Faces<Number> e =
-          faces<Number>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
-                        at(eps_across), half);
-      const Cross<Number> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
-      const auto w = wedge_weights<!plain, Number>(c, transport, grid.hx(), [&] {
-        return ThirdOrder<Number>{at(theta_west), at(theta_east)};
+      const Columns<Lanes> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
+                                  Q(rho_bar.east, H.east)};
+      const Faces<Lanes> e =
+          faces<Lanes>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
+                       at(eps_across), half);
+      const Cross<Lanes> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
+      const auto w = wedge_weights<!plain, Lanes>(c, transport, grid.hx(), [&] {
+        return ThirdOrder<Lanes>{at(theta_west), at(theta_east)};
       });
-      Number own = row_of(w, e).residual(around, pressures);
+      Lanes own = row_of(w, e).residual(around, pressures);
       if (f != nullptr) own += at(f);
-      write(out + j, own);
+      core::store_lines(grid, r, i, j, own);
     }
     out[0] = 0.0;
     out[grid.last_line() + 1] = 0.0;
@@ -63,22 +52,13 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
   }
 }
 
-template <bool plain>
-void residual_of(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
-                 core::Field& r) {
-  if (grid.domain.line)
-    residual_by<double, plain>(grid, state, transport, threads, r);
-  else
-    residual_by<core::Lanes, plain>(grid, state, transport, threads, r);
-}
-
 }  // namespace
 
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
   if (state.face == Face::mean && !third_order(transport.wedge))
-    residual_of<true>(grid, state, transport, threads, r);
+    residual_by<true>(grid, state, transport, threads, r);
   else
-    residual_of<false>(grid, state, transport, threads, r);
+    residual_by<false>(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,

@@ -130,8 +130,8 @@ inline PressureRow<double> follow_epsilon(const PressureRow<double>& held, const
           .south = held.south - steps.south * slope_across(i, j - 1),
           .north = held.north - steps.north * slope_across(i, j + 1)};
 }
-/// Adds to a row that epsilon at the half points follows the pressures. in: its derivatives by the pressures of the
-/// nodes before and after the half point, along X and along Y.
+/// Adds to a row that epsilon at half points follows the pressures. in: as above, but the derivatives of epsilon by the
+/// pressures of the nodes before and after the half point, along X and along Y.
 inline PressureRow<double> follow_epsilon(const PressureRow<double>& held, const core::Field& P,
                                           const core::Field& before, const core::Field& behind,
                                           const core::Field& before_across, const core::Field& behind_across, int i,
@@ -159,7 +159,7 @@ class NodeRows {
       : state_(state),
         transport_(transport),
         hx_(grid.hx()),
-        half_(grid.hx(), grid.hy()),
+        half_(grid),
         first_(transport_weights(transport, 1, hx_)),
         inner_(transport_weights(transport, 2, hx_)) {}
 

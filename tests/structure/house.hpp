@@ -47,9 +47,9 @@ std::vector<std::string> wing_offences(const std::vector<SourceFile>& files);
 /// Headers of a library included by modules that may not use it.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 
-/// Files of modules/ that implement a part of the discrete Reynolds operator outside its file, one path each: weights
-/// of the wedge, means of epsilon between nodes.
-std::vector<std::string> operator_offences(const std::vector<SourceFile>& files, const std::string& home);
+/// Files of modules/ that implement a part of the discrete Reynolds operator outside its homes, one path each: rows,
+/// weights of the wedge, means of epsilon between nodes.
+std::vector<std::string> operator_offences(const std::vector<SourceFile>& files, const std::vector<std::string>& homes);
 
 /// True if the word occurs on its own, and not as a part of a longer one.
 bool has_word(const std::string& text, const std::string& word);
