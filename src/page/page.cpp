@@ -24,7 +24,7 @@ body { font: 15px/1.45 "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; 
 h1 { font-size: 1.6em; margin: 0 0 .2em; }
 h2 { font-size: 1.25em; margin: 2em 0 .3em; border-bottom: 2px solid #2166ac; padding-bottom: .15em; }
 h1, h2, td { overflow-wrap: anywhere; }
-.facts { margin: .3em 0; } .small, figcaption, .legend, caption { font-size: .85em; color: #444; }
+.facts { margin: .3em 0; } .small, figcaption, caption { font-size: .85em; color: #444; }
 .fine { color: #1b7837; margin: .4em 0; }
 .warning { background: #fff6e0; border-left: 4px solid #e08214; padding: .35em .7em; margin: .4em 0; }
 .alarm { background: #fde8e8; border-left: 4px solid #b2182b; padding: .35em .7em; margin: .4em 0; }

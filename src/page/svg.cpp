@@ -49,11 +49,12 @@ std::string tag_on_page(const DrawnFigure& figure, const std::string& tag) {
     const std::size_t close = open == std::string::npos ? open : tag.find(tag[open], open + 1);
     if (close == std::string::npos) refuse_svg(figure, "<" + tag);
     std::string key = tag.substr(at, tag.find_last_not_of(blanks, equals - 1) + 1 - at);
-    if (key == "xlink:href") key = "href";
-    if (key.starts_with("on")) refuse_svg(figure, "the attribute " + key);
+    std::string small = key;  // a browser does not distinguish small and capital letters here
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (small == "href" || small == "xlink:href") key = "href";
+    if (small.starts_with("on")) refuse_svg(figure, "the attribute " + key);
     std::string value = tag.substr(open + 1, close - open - 1);
-    std::ranges::replace_if(
-        value, [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
+    for (char& c : value) c = std::isspace(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
     for (std::size_t k = value.find('"'); k != std::string::npos; k = value.find('"', k)) value.replace(k, 1, "&quot;");
     if (!key.starts_with("xmlns")) made += " " + key + "=\"" + value_on_page(figure, key, value) + "\"";
     at = close + 1;

@@ -51,7 +51,8 @@ BOOST_AUTO_TEST_CASE(names_belong_to_one_figure_and_references_stay_inside) {
 
 BOOST_AUTO_TEST_CASE(what_runs_or_refers_elsewhere_is_refused) {
   for (const char* bad :
-       {"<script>alert(1)</script></svg>", "<g onload=\"alert(1)\"></g></svg>", "<foreignObject/></svg>",
+       {"<script>alert(1)</script></svg>", "<g onload=\"alert(1)\"></g></svg>", "<g OnLoad='alert(1)'/></svg>",
+        "<image XLINK:HREF='http://a.b/c.png'/></svg>", "<foreignObject/></svg>",
         "<image href='http://a.b/c.png'/></svg>", "<use xlink:href='file:///etc/passwd#a'/></svg>",
         "<image href=\"data:text/html;base64,AA\"/></svg>", "<rect fill='url(http://a.b)'/></svg>", "<!-- --></svg>",
         "<a href='#x'>y</a></svg>", "<rect x=1/></svg>", "<rect x='1"})
