@@ -26,7 +26,15 @@ stats $course using 2 nooutput prefix "C"
 stats $course using 3 nooutput prefix "M"
 begin = T(T_min)
 end = T_max > T_min ? T(T_max) : begin + 1
-first_lines(name) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, 0), points, left, right)
+line_of(name, k) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, k), points, left, right)
+# What all frames need is read once.
+set table $first_H
+plot line_of("H", 0) using 1:2 with table
+set table $first_P
+plot line_of("P", 0) using 1:2 with table
+unset table
+array times[frames]
+stats grid("/transient/frames/time") using (times[$0 + 1] = T($1), 0) nooutput prefix "F"
 
 # A map has the shape of its window, within limits.
 tall = plane ? (wide - m(131)) * 2 * far / (right - left) : 0
@@ -38,7 +46,7 @@ maps = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(78)
 eval page
 do for [shown in shown_frames] {
   frame = int(shown)
-  now = time_of(frame)
+  now = times[frame + 1]
   set multiplot
   do for [panel = 1:2] {
     name = panel == 1 ? "H" : "P"
@@ -68,9 +76,11 @@ do for [shown in shown_frames] {
     set ytics auto
     set yrange [panel == 1 ? below_zero(low) : 0:panel == 1 ? 1.2 * highest : tallest]
     if (panel == 1 && far_apart) { set logscale y; set format y "10^{%L}"; set yrange [low / 1.5:1.5 * highest] }
-    plot first_lines(name) using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
-         sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, frame), points, left, right) \
-             using 1:2 with lines lw 1 lc rgb panel == 1 ? blue : red
+    if (panel == 1) {
+      plot $first_H using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", line_of("H", frame) using 1:2 with lines lw 1 lc rgb blue
+    } else {
+      plot $first_P using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", line_of("P", frame) using 1:2 with lines lw 1 lc rgb red
+    }
     @course
     set xlabel axis_T offset 0, 0.4
     set xrange [begin:end]
