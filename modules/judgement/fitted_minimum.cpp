@@ -25,8 +25,8 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
   const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
-  const double curvature = H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
-  const double c = curvature == 0.0 && k == 0.0 ? 1.0 : curvature;  // a film that does not vary along Y
+  // A line contact does not vary along Y.
+  const double c = grid.domain.line ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
   const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
   const double determinant = a * c - b * b;
   if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
