@@ -116,13 +116,23 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
+// The text of a file without the records of an effect's numbers, which stand in namespace numbers; lines are kept.
+std::string without_records(std::string text) {
+  const std::size_t from = text.find("\nnamespace numbers {\n"), to = text.find("\n}  // namespace numbers\n");
+  if (from == std::string::npos || to == std::string::npos) return text;
+  for (std::size_t k = from; k < to; ++k)
+    if (text[k] != '\n') text[k] = ' ';
+  return text;
+}
+
 // Literals that are a number's name, a path that ends with it, or its label, or that contain its symbol.
 std::vector<std::string> offences(const std::vector<house::SourceFile>& files, const Names& known) {
   const std::set<std::string> words = words_of_decks();
   std::vector<std::string> found;
   for (const house::SourceFile& file : files) {
     if (file.path.generic_string().starts_with(home)) continue;
-    for (const Literal& literal : literals_of(file.text)) {
+    const bool is_effect = file.path.generic_string().starts_with("src/case/effect_");
+    for (const Literal& literal : literals_of(is_effect ? without_records(file.text) : file.text)) {
       const bool is_path =
           std::ranges::any_of(known.homes, [&](const std::string& of) { return literal.text.starts_with(of + "/"); });
       const std::string name = is_path ? literal.text.substr(literal.text.rfind('/') + 1) : literal.text;
@@ -153,6 +163,9 @@ BOOST_AUTO_TEST_CASE(the_reader_finds_literals) {
   BOOST_TEST(offences({bad}, registered()).size() == 4);
   const house::SourceFile good{home + "a.cpp", "src", "f(\"Hc\");"};
   BOOST_TEST(offences({good}, registered()).empty());
+  const house::SourceFile effect{"src/case/effect_a.cpp", "src",
+                                 "\nnamespace numbers {\nf(\"Hc\");\n}  // namespace numbers\nf(\"Hm\");"};
+  BOOST_TEST(offences({effect}, registered()).size() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_number_is_declared_once) {
