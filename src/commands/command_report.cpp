@@ -15,14 +15,17 @@
 namespace ehl::program {
 namespace {
 
-// in: number: that of the file on the page.
-PageSection section_on(const std::string& path, std::size_t number, const Arguments& arguments) {
-  const DrawnFigures figures = figures_for_page(path, number, arguments);
+PageSection section_of(const std::string& path, const DrawnFigures& figures) {
   if (!path.ends_with(".csv")) return result_section(path, figures);
   const std::string mark = mark_of(path);
   return mark == sweep_mark   ? sweep_section(path, figures)
          : mark == study_mark ? study_section(path, figures)
                               : time_study_section(path, figures);
+}
+// in: number: that of the file on the page.
+PageSection section_on(const std::string& path, std::size_t number, const Arguments& arguments) {
+  section_of(path, {});  // refuses a damaged file before gnuplot reads it
+  return section_of(path, figures_for_page(path, number, arguments));
 }
 
 // The default name: that of the first file, in the same folder.

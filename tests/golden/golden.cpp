@@ -51,6 +51,8 @@ BOOST_AUTO_TEST_CASE(the_normal_form_of_a_text) {
   BOOST_TEST(replaced("Hc 0.1234567890123456 \\054") == "Hc # \\054");
   BOOST_TEST(golden::normal("/tmp/ehl_test_x/a: 3 s, 2026-11-29T08:47:14Z", Numbers::kept, places) ==
              "FOLDER/a: 3 s, DATE");
+  BOOST_TEST(golden::normal("ehl:  45 %  level 3\n2 computed in 0.5 s\n", Numbers::kept, places) ==
+             "2 computed in # s\n");
 }
 
 BOOST_AUTO_TEST_CASE(the_program_prints_what_the_transcripts_say) {

@@ -81,7 +81,8 @@ std::string normal(std::string text, Numbers numbers, const std::vector<Place>& 
       {"COMPILER, [0-9a-f]{16}", "COMPILER, HASH"},
       {"machine: [^\n]*", "machine: MACHINE"},
       {"x86-64(-v[0-9])?", "LEVEL"},
-      {"[0-9]+ threads?", "N threads"}};
+      {"[0-9]+ threads?", "N threads"},
+      {"ehl: +[0-9]+ %  [^\n]*\n", ""}};
   for (const auto& [pattern, name] : patterns) text = std::regex_replace(text, std::regex(pattern), name);
   if (numbers == Numbers::replaced) return without_numbers(text);
   return std::regex_replace(text, std::regex(" in [0-9.]+ s\\b"), " in # s");

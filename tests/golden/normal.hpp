@@ -20,7 +20,8 @@ struct Place {
 /// The normal form of a text, in this order:
 /// 1. The path of a folder is its name in capital letters, as in FOLDER/point.h5; the name of the processor is MACHINE.
 /// 2. A date is DATE, a commit COMMIT, a compiler COMPILER, the program's version VERSION, the hash of a deck HASH, the
-///    processor MACHINE, its level LEVEL, and the number of threads N.
+///    processor MACHINE, its level LEVEL, and the number of threads N. Lines of progress, which only slow runs print,
+///    are left out.
 /// 3. With Numbers::replaced, every number is "#", its sign included, and the spaces beside it are one, so that the
 ///    width of a column does not matter. A number is kept if it is joined to a letter (2U, Sq1, 1/Pa), a power (H^2),
 ///    is a count of nodes (65 x 65), or is the line of a file (d.ini:17). The words nan and inf are no numbers, and
