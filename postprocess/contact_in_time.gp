@@ -26,12 +26,12 @@ stats $course using 2 nooutput prefix "C"
 stats $course using 3 nooutput prefix "M"
 begin = T(T_min)
 end = T_max > T_min ? T(T_max) : begin + 1
-line_of(name, k) = sprintf("< %s%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, of_frame(name, k), points, left, right)
-# What all frames need is read once.
-set table $first_H
-plot line_of("H", 0) using 1:2 with table
-set table $first_P
-plot line_of("P", 0) using 1:2 with table
+# What all frames need is read once. Of the lines y = 0, each frame has `points` rows.
+all_lines(name) = sprintf("< %s/transient/frames/%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, name, points, left, right)
+set table $lines_H
+plot all_lines("H") using 2:3 with table
+set table $lines_P
+plot all_lines("P") using 2:3 with table
 unset table
 array times[frames]
 stats grid("/transient/frames/time") using (times[$0 + 1] = T($1), 0) nooutput prefix "F"
@@ -77,9 +77,11 @@ do for [shown in shown_frames] {
     set yrange [panel == 1 ? below_zero(low) : 0:panel == 1 ? 1.2 * highest : tallest]
     if (panel == 1 && far_apart) { set logscale y; set format y "10^{%L}"; set yrange [low / 1.5:1.5 * highest] }
     if (panel == 1) {
-      plot $first_H using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", line_of("H", frame) using 1:2 with lines lw 1 lc rgb blue
+      plot $lines_H every ::0::points - 1 using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
+           $lines_H every ::frame * points::(frame + 1) * points - 1 using 1:2 with lines lw 1 lc rgb blue
     } else {
-      plot $first_P using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", line_of("P", frame) using 1:2 with lines lw 1 lc rgb red
+      plot $lines_P every ::0::points - 1 using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
+           $lines_P every ::frame * points::(frame + 1) * points - 1 using 1:2 with lines lw 1 lc rgb red
     }
     @course
     set xlabel axis_T offset 0, 0.4

@@ -23,8 +23,8 @@ namespace {
 
 /// Points of a map along x: those of the screen.
 constexpr char points_on_page[] = "240";
-/// The frames that one process of gnuplot draws.
-constexpr std::size_t frames_at_once = 15;
+/// The least number of frames that one process of gnuplot draws: a process first reads what all frames need.
+constexpr std::size_t fewest_frames = 15;
 constexpr char figure_of_frames[] = "contact_in_time";
 constexpr char figure_of_curves[] = "curves";
 
@@ -60,6 +60,8 @@ void add_curves(const SweepData& table, const Figure& figure, const Arguments& a
 
 void add_frames(const Figure& figure, std::size_t count, std::vector<Task>& tasks) {
   const std::vector<std::size_t> shown = frames_on_page(count);
+  const auto cores = static_cast<std::size_t>(usable_cores());
+  const std::size_t frames_at_once = std::max(fewest_frames, (shown.size() + cores - 1) / cores);
   for (std::size_t from = 0; from < shown.size(); from += frames_at_once) {
     std::string list;
     for (std::size_t k = from; k < std::min(from + frames_at_once, shown.size()); ++k)

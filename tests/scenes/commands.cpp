@@ -140,8 +140,8 @@ BOOST_AUTO_TEST_CASE(interrupted) {
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet").status == 0);
   const std::string old = scene.folder.read("d.h5");
   const std::string slow = std::string("'") + EHL_PROGRAM +
-                           "' run d.ini --overwrite --set grid.cells=1024 --set multigrid.tolerance=1e-13 & pid=$!; "
-                           "sleep 0.7; kill -TERM $pid; wait $pid";
+                           "' run d.ini --overwrite --set grid.cells=1024 --set multigrid.tolerance=1e-13 & p=$!; " +
+                           support::until_it_handles_signals + "kill -TERM $p; wait $p";
   const support::Ended ended = support::shell(scene.folder, slow);
   BOOST_TEST(ended.status == 130, ended.status << "\n" << ended.err);
   BOOST_TEST((scene.folder.read("d.h5") == old));

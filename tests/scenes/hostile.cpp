@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(a_flood_of_slips_is_cut) {
 
 BOOST_AUTO_TEST_CASE(the_process_has_its_name) {
   const Scene scene;
-  const std::string line =
-      program + "run d.ini --set grid.cells=1024 --quiet & p=$!; sleep 0.3; cat /proc/$p/comm; kill -9 $p";
+  const std::string line = program + "run d.ini --set grid.cells=1024 --quiet & p=$!; " +
+                           support::until_it_handles_signals + "cat /proc/$p/comm; kill -9 $p";
   BOOST_TEST(scene.shell(line).out == "ehl\n");
 }
 

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(limit_of_cpu_time) {
     const support::Ended ended = support::shell(
         folder, program +
                     "run d.ini --quiet --overwrite --set grid.cells=1024 --set multigrid.tolerance=1e-13 & p=$!; " +
-                    "sleep 0.5; kill -" + signal + " $p; wait $p");
+                    support::until_it_handles_signals + "kill -" + signal + " $p; wait $p");
     BOOST_TEST(ended.status == 130, signal << " ends with " << ended.status);
   }
 }

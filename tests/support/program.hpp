@@ -36,6 +36,11 @@ inline Ended shell(const TemporaryFolder& folder, const std::string& command) {
   return ended;
 }
 
+/// Shell: waits until the program with the number $p handles signals, however busy the machine is, or has ended. The
+/// sixth digit from the right of the mask holds SIGXCPU, which is among the last.
+inline const std::string until_it_handles_signals =
+    "while [ -e /proc/$p ] && ! grep -q '^SigCgt:.*[89a-f].....$' /proc/$p/status; do sleep 0.02; done; sleep 0.1; ";
+
 /// Runs the program with these arguments, which the shell parses.
 inline Ended ehl(const TemporaryFolder& folder, const std::string& arguments) {
   return shell(folder, std::string("'") + EHL_PROGRAM + "' " + arguments);
