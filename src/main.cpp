@@ -2,13 +2,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <new>
 
 #include "base/failure.hpp"
 #include "base/signals.hpp"
 #include "commands/commands.hpp"
-#include "core/errors.hpp"
 #include "core/process.hpp"
+#include "results/read.hpp"
 
 namespace ehl::program {
 namespace {
@@ -18,19 +17,15 @@ int reported(const Failure& failure) {
   return failure.status;
 }
 
-// Ends the process without the exit functions of libraries: HDF5 crashes in its own after memory has run out.
-[[noreturn]] void end_at_once(int status) {
-  std::fflush(nullptr);
-  std::_Exit(status);
-}
-
 // An exception in a thread of a parallel loop cannot leave that thread. Most of these exceptions mean that memory ran
 // out.
 [[noreturn]] void end_of_a_thread() {
   if (std::current_exception()) try {
       std::rethrow_exception(std::current_exception());
     } catch (...) {
-      end_at_once(reported(current_failure()));
+      const int status = reported(current_failure());
+      std::fflush(nullptr);
+      std::_Exit(status);
     }
   std::abort();
 }
@@ -39,10 +34,6 @@ int guarded(const std::vector<std::string>& words) {
   try {
     const Arguments arguments = parse_arguments(words, commands());
     return find_command(commands(), arguments.command).function(arguments);
-  } catch (const std::bad_alloc&) {
-    end_at_once(reported(current_failure()));
-  } catch (const core::FileError&) {
-    end_at_once(reported(current_failure()));
   } catch (...) {
     return reported(current_failure());
   }
@@ -53,6 +44,7 @@ int guarded(const std::vector<std::string>& words) {
 
 int main(int count, char** words) {
   ehl::core::prepare_process(words);
+  ehl::results::run_no_hdf5_at_exit();
   ehl::program::install_signal_handlers();
   std::set_terminate(ehl::program::end_of_a_thread);
   return ehl::program::guarded({words + 1, words + count});

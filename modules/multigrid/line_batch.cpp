@@ -165,7 +165,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 }
 
 template <int reach, LineSolver solver>
-Lanes LineBatch<reach, solver>::weight_at(const Level& level, int i) const {
+Lanes LineBatch<reach, solver>::weight_at(int i) const {
   const auto k = static_cast<std::size_t>(i);
   return weight_of_change(how_, work_.distributive[k + ThreadWork::margin], work_.range_of(k));
 }
@@ -189,7 +189,7 @@ void LineBatch<reach, solver>::weigh_pressures(Level& level, int batch) const {
   for (int i = 1; i < level.grid.nx; ++i) {
     const Lanes east = core::load(level.changes.distributed.at_x(i + 1) + at);
     double* delta = level.changes.delta.at_x(i) + at;
-    core::store(delta, weight_at(level, i) * (core::load(delta) - share * (west + east)));
+    core::store(delta, weight_at(i) * (core::load(delta) - share * (west + east)));
     core::store(level.changes.distributed.at_x(i) + at, Lanes{});
     west = here;
     here = east;
@@ -203,7 +203,7 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
   const bool in_time = hierarchy.transport.squeeze > 0.0;
   const bool by_pressures = level.grid.domain.line && !in_time;
   const auto keep_one = [&](int i, Lanes delta) {
-    keep(level, batch, i, delta, by_pressures ? core::broadcast(1.0) : weight_at(level, i));
+    keep(level, batch, i, delta, by_pressures ? core::broadcast(1.0) : weight_at(i));
   };
   const auto end = [&] {
     if (by_pressures) weigh_pressures(level, batch);

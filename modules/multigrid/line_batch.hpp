@@ -159,7 +159,7 @@ class LineBatch {
  private:
   template <Form form, class Take>
   void assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take);
-  core::Lanes weight_at(const Level& level, int i) const;
+  core::Lanes weight_at(int i) const;
   void keep(Level& level, int batch, int i, core::Lanes delta, core::Lanes weight) const;
   void weigh_pressures(Level& level, int batch) const;
 

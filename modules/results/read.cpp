@@ -12,6 +12,8 @@
 
 namespace ehl::results {
 
+void run_no_hdf5_at_exit() { H5dont_atexit(); }
+
 Handle open_hdf5(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read: this is a directory");

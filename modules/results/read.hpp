@@ -8,6 +8,11 @@
 
 namespace ehl::results {
 
+/// The HDF5 library then runs nothing at the exit of the process, where it crashes after memory has run out and prints
+/// messages of its own after a damaged file; every file of this module is closed by its owner. For a program, before
+/// any other function of this module; a library must not decide this for the process.
+void run_no_hdf5_at_exit();
+
 /// A dataset of numbers.
 struct Array {
   std::vector<std::size_t> dims{};  ///< empty: a single number

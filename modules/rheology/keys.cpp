@@ -27,7 +27,7 @@ deck::Records<Oil> law_records() {
           "Required for roelands, and for barus in SI. In a dimensionless contact it determines the Hertz pressure, "
           "p_h = alpha_bar/alpha. doolittle, yasutomi and table have their own alpha*, 1/alpha* = int eta0/eta dp.",
           remedy("mineral oils have 1e-8 to 3e-8"), source("1.7e-8: Venner and ten Napel 1992")),
-      key("z", Range{least_z, 1.5}, needs("viscosity", {"roelands"}), example("0.6"),
+      key("z", Range{least_z, most_z}, needs("viscosity", {"roelands"}), example("0.6"),
           otherwise(
               "alpha p0/(ln eta0 + 9.67) if eta0 is given, else 0.68; with alpha_star: chosen so that alpha* is met"),
           "Exponent z of Roelands' law.", remedy("mineral oils have 0.5 to 0.7"),

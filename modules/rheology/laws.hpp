@@ -26,8 +26,8 @@ using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands, Doolittle, Yasuto
 inline constexpr double roelands_p0 = 1.96e8;
 /// Roelands' exponent of a mineral oil of unknown viscosity.
 inline constexpr double usual_z = 0.68;
-/// Smallest exponent that is accepted. Water, whose viscosity hardly rises with pressure, has less.
-inline constexpr double least_z = 0.05;
+/// Smallest and largest exponent that is accepted. Water, whose viscosity hardly rises with pressure, has less.
+inline constexpr double least_z = 0.05, most_z = 1.5;
 /// The pressure in Dowson and Higginson's density law [Pa].
 inline constexpr double dowson_higginson_B = 5.9e8;
 

@@ -68,7 +68,6 @@ PressureCoefficients pressure_coefficients(const ViscosityLaw& law) {
 }
 
 double roelands_z_of(double alpha_star, double p0, double eta0) {
-  constexpr double least_z = 0.05, most_z = 1.5;  // the range of lubricant.z
   constexpr double pascal = 1.0;
   const double log_ratio = roelands_log_ratio(eta0);
   if (!(log_ratio > 0.0)) return std::numeric_limits<double>::quiet_NaN();

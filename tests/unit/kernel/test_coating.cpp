@@ -5,7 +5,6 @@
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "kernel/kernel.hpp"
@@ -17,8 +16,6 @@ using kernel::Coating;
 using kernel::SmoothPart;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Soft, stiff, incompressible, and the largest ratios allowed.
 const std::vector<Coating> coatings{{{10.0, 0.2}, {1.0, 0.3}, 1.0, 0.5},    {{2.0, 0.3}, {1.0, 0.3}, 1.0, 0.5},

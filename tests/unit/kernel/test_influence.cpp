@@ -1,7 +1,6 @@
 // Influence coefficients compared with the closed form in quadruple precision, with adaptive quadrature, and
 // with analytical properties.
-#include <quadmath.h>
-
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -13,11 +12,11 @@
 BOOST_AUTO_TEST_SUITE(test_kernel)
 
 namespace {
-using Quad = __float128;
+using Quad = boost::multiprecision::cpp_bin_float_quad;
 namespace kernel = ehl::kernel;
 
 // y asinh(x/|y|) + x asinh(y/|x|) is odd in x and in y, so the four corners may lie in any quadrant.
-Quad antiderivative(Quad x, Quad y) { return y * asinhq(x / fabsq(y)) + x * asinhq(y / fabsq(x)); }
+Quad antiderivative(Quad x, Quad y) { return y * asinh(x / abs(y)) + x * asinh(y / abs(x)); }
 
 Quad exact(int d_x, int d_y, double hx, double hy) {
   const Quad half = 0.5, x1 = (d_x - half) * hx, x2 = (d_x + half) * hx, y1 = (d_y - half) * hy, y2 = (d_y + half) * hy;
@@ -30,7 +29,7 @@ Quad exact_distributed(int d_x, int d_y, double hx, double hy) {
                                        4;
 }
 
-double relative(double value, Quad truth) { return static_cast<double>(fabsq((value - truth) / truth)); }
+double relative(double value, Quad truth) { return static_cast<double>(abs((value - truth) / truth)); }
 
 double simpson(const std::function<double(double)>& f, double a, double b, double fa, double fm, double fb,
                double tol) {
@@ -140,7 +139,7 @@ BOOST_AUTO_TEST_CASE(distributed_influence_approaches_its_limit) {
 // -(x ln|x| - x) at both ends of the cell.
 BOOST_AUTO_TEST_CASE(the_logarithm_of_a_line_contact) {
   const double h = 0.03;
-  const auto antiderivative = [](Quad x) { return x * logq(fabsq(x)) - x; };
+  const auto antiderivative = [](Quad x) { return x * log(abs(x)) - x; };
   const auto exact_line = [&](int d) {
     const Quad half = 0.5;
     return -(antiderivative((d + half) * h) - antiderivative((d - half) * h));

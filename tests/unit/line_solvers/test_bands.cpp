@@ -89,7 +89,7 @@ void identity_rows() {
     const BandRow<reach> before = band[i];
     ehl::line_solvers::make_identity(band[i], mask);
     for (int lane = 0; lane < lanes; ++lane)
-      if (!mask[lane]) BOOST_TEST(band[i].a[0][lane] == before.a[0][lane]);
+      if (!mask[lane]) BOOST_TEST(+band[i].a[0][lane] == +before.a[0][lane]);
   }
   const Solved eliminated = eliminate<reach>(band);
   const Solved decimated = decimate<reach>(band);

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
     while (0.5 * X_a + nx * h < std::max(1.2, 0.5 * X_b)) nx += 32;
     const core::Grid all{cells, 5 * cells / 4, X_a, X_b, -Y, Y};
     const core::Grid half{nx, 5 * cells / 8, 0.5 * X_a, 0.5 * X_a + nx * h, -0.5 * Y, 0.5 * Y};
-    const auto films = [&](const core::Grid& grid) {
+    const auto films = [&, M = M, L = L](const core::Grid& grid) {
       steady::Scene scene = closed_scene(M, L, grid);
       scene.wedge = reynolds::Wedge::upstream3;
       scene.face = reynolds::Face::logmean_bounded;
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_bar_of_the_domain_holds) {
     const double X_a = size * steady::chosen_inlet({}, scales, X_b / size, error);
     const double Y = steady::chosen_half_width({}, X_a, X_b, groups.shape, true);
     const int ny = 2 * static_cast<int>(std::lround(2.0 * Y / (X_b - X_a) * 16)) * 4;
-    const auto found = [&](int larger) {
+    const auto found = [&, M = M, L = L](int larger) {
       const double by = larger;
       steady::Scene scene = closed_scene(M, L, {128 * larger, ny * larger, by * X_a, by * X_b, -by * Y, by * Y});
       scene.lambda = groups.lambda;

@@ -270,10 +270,10 @@ BOOST_AUTO_TEST_CASE(a_column_does_not_see_those_beside_it) {
       for (int lane = 1; lane < ehl::core::lanes; ++lane) heat(mixed, lane, own == 1.0 ? 1e-3 * lane : 1.0 / lane);
       solve(nodes, laws, alone, steps);
       solve(nodes, laws, mixed, steps);
-      for (std::size_t k = 0; k <= 16; ++k) BOOST_TEST(alone.theta[k][0] == mixed.theta[k][0]);
+      for (std::size_t k = 0; k <= 16; ++k) BOOST_TEST(+alone.theta[k][0] == +mixed.theta[k][0]);
       for (const auto value :
            {&Columns::I0, &Columns::z_bar, &Columns::M2, &Columns::tau_m, &Columns::q_1, &Columns::q_2, &Columns::heat})
-        BOOST_TEST((alone.*value)[0] == (mixed.*value)[0]);
+        BOOST_TEST(+(alone.*value)[0] == +(mixed.*value)[0]);
     }
 }
 

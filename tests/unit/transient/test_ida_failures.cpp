@@ -138,7 +138,9 @@ BOOST_AUTO_TEST_CASE(weights_that_are_not_positive_are_told) {
   for (const auto& [bad, good] : cases) {
     DaeProblem problem = decay();
     int calls = 0;
-    problem.weights = [&](double, std::span<const double>, std::span<double> w) { w[0] = calls++ < good ? 1e5 : bad; };
+    problem.weights = [&calls, bad = bad, good = good](double, std::span<const double>, std::span<double> w) {
+      w[0] = calls++ < good ? 1e5 : bad;
+    };
     Ida ida(problem, {}, 0.0, one, minus_one);
     StepReport step;
     for (int k = 0; k < 10 && step.end != End::failed; ++k) step = ida.step(5.0);

@@ -188,10 +188,10 @@ BOOST_AUTO_TEST_CASE(least_is_below_every_value_and_reached_without_a_wave) {
 
 // A ramp within a time in which the film does not change counts as a jump at its beginning, and its end is no corner.
 BOOST_AUTO_TEST_CASE(the_steepest_slope) {
-  const Schedule ramps{.points = {{1, 1}, {1.5, 2}, {2, 2}, {4, -2}}};
+  const Schedule jagged{.points = {{1, 1}, {1.5, 2}, {2, 2}, {4, -2}}};
   BOOST_TEST(steepest({}, 10.0) == 0.0);
-  BOOST_TEST(steepest(ramps, 10.0) == 2.0);
-  BOOST_TEST(steepest(ramps, 1.0) == 0.0);  // before all ramps
+  BOOST_TEST(steepest(jagged, 10.0) == 2.0);
+  BOOST_TEST(steepest(jagged, 1.0) == 0.0);  // before all jagged
   BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1, 2}}}, 10.0)));
   BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1.0005, 2}}}, 10.0)));  // equivalent to a jump
   const double two_pi = 2.0 * std::numbers::pi;
