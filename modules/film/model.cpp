@@ -35,6 +35,10 @@ void apply_factors(const Station& station, std::span<double> fluidity, Buffers& 
   copy(station.factors->carried, buffers.carried);
 }
 
+rheology::ShearThinning thinning(const Model& model, const Station& station) {
+  return {model.thinning->law, station.sliding * model.thinning->k};
+}
+
 void multiply(std::span<double> values, const std::vector<double>& by) {
   for (std::size_t k = 0; k < values.size(); ++k) values[k] *= by[k];
 }
@@ -82,7 +86,7 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   apply_factors(station, fluidity, buffers);
   if (anisotropic(model)) {
     const std::span<double> along = part(station, buffers.along), across = part(station, buffers.across);
-    rheology::film_fluidity(*model.thinning, station.H, fluidity, along, across);
+    rheology::film_fluidity(thinning(model, station), station.H, fluidity, along, across);
     epsilon(station.H, out.rho_bar, along, model.lambda, out.eps);
     epsilon(station.H, out.rho_bar, across, model.lambda, out.eps_across);
   } else {
@@ -106,7 +110,7 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
     rheology::thin_log_viscosity(part(station, buffers.along), fluidity, out.log_viscosity);
   }
   if (thins) {
-    rheology::film_fluidity(*model.thinning, station.H, fluidity, out.fluidity, out.fluidity_across);
+    rheology::film_fluidity(thinning(model, station), station.H, fluidity, out.fluidity, out.fluidity_across);
     std::ranges::copy(out.log_viscosity, out.log_viscosity_across.begin());
     rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
     rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
@@ -141,7 +145,7 @@ void oil_slopes(const Model& model, const Station& station, Buffers& buffers, co
     const std::span<double> fluidity = part(station, buffers.fluidity);
     rheology::fluidity(model.viscosity, station.P, fluidity);
     apply_factors(station, fluidity, buffers);
-    rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
+    rheology::film_fluidity_slopes(thinning(model, station), station.H, fluidity, buffers.along, buffers.across);
     write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
   }
   write(buffers.along, out.log_viscosity_P, out.log_viscosity_H);
@@ -156,7 +160,7 @@ void slopes(const Model& model, const Station& station, const Coefficients<const
     const std::span<double> fluidity = part(station, buffers.fluidity);
     rheology::fluidity(model.viscosity, station.P, fluidity);
     apply_factors(station, fluidity, buffers);
-    rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
+    rheology::film_fluidity_slopes(thinning(model, station), station.H, fluidity, buffers.along, buffers.across);
     epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
   }
   epsilon_slopes(station, at, at.eps, buffers.along, buffers.slope, out.eps_P, out.eps_H);

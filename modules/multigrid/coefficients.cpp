@@ -15,7 +15,7 @@ namespace ehl::multigrid {
 namespace {
 
 // One column (constant X): epsilon, rho_bar and its derivative from P and H.
-void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+void coefficients_of_station(const Hierarchy& hierarchy, Level& level, int i, ThreadWork& work) {
   auto followed = std::as_const(level.H).station(i);
   if (corrects_finer(level)) {
     const auto finer = std::as_const(level.finer->H).station(i);
@@ -23,8 +23,9 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
       work.followed[j] = std::max(followed[j], level.finer->H_floor * finer[j]);
     followed = std::span<const double>(work.followed).first(followed.size());
   }
+  const film::Model& model = hierarchy.problem.film;
   const bool anisotropic = film::anisotropic(model);
-  film::coefficients(model, station_of(level, i, std::as_const(level.P).station(i), followed), work.film,
+  film::coefficients(model, station_of(hierarchy, level, i, std::as_const(level.P).station(i), followed), work.film,
                      {.eps = level.eps.station(i),
                       .eps_across = anisotropic ? level.eps_across.station(i) : std::span<double>{},
                       .rho_bar = level.rho_bar.station(i),
@@ -34,10 +35,10 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
 }
 
 // One column with epsilon at half points: the nodal values from which that is computed.
-void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+void oil_of_station(const Hierarchy& hierarchy, Level& level, int i, ThreadWork& work) {
   OilFields& oil = level.oil;
   const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
-  film::oil(model, station_of(level, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)),
+  film::oil(hierarchy.problem.film, station_of(hierarchy, level, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)),
             work.film,
             {.fluidity = of(oil.fluidity),
              .log_viscosity = of(oil.log_viscosity),
@@ -107,12 +108,12 @@ void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
   }
 }
 
-void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+void nodes_of_station(const Hierarchy& hierarchy, Level& level, int i, ThreadWork& work) {
   core::fill_ghosts(level.grid, level.H.at_x(i));
   if (at_half_points(level))
-    oil_of_station(model, level, i, work);
+    oil_of_station(hierarchy, level, i, work);
   else
-    coefficients_of_station(model, level, i, work);
+    coefficients_of_station(hierarchy, level, i, work);
 }
 
 // epsilon at the nodes of column i, whether level.eps holds nodes or half points.
@@ -160,7 +161,7 @@ void update_coefficients(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   if (along_one_line(hierarchy, level)) return coefficients_along_line(hierarchy, level);
   for_stations(hierarchy, level,
-               [&](int i, ThreadWork& work) { nodes_of_station(hierarchy.problem.film, level, i, work); });
+               [&](int i, ThreadWork& work) { nodes_of_station(hierarchy, level, i, work); });
   make_half_points(hierarchy, level);
 }
 
@@ -180,7 +181,7 @@ void update_film(Hierarchy& hierarchy, Level& level) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
     }
-    nodes_of_station(hierarchy.problem.film, level, i, work);
+    nodes_of_station(hierarchy, level, i, work);
   });
   make_half_points(hierarchy, level);
 }

@@ -48,6 +48,7 @@ struct Hierarchy {
   double coarsest_weight = 1.0;  ///< factor on the weights of the coarsest grid, reduced by failed visits
   double least_supply = 0.0;     ///< lower limit of the supply while a solution starts
   double supply_factor = 1.0;    ///< present supply over the problem's
+  double sliding = 1.0;          ///< present speed of sliding over that in the problem's shear thinning
   int threads = 1;
   core::PartTimes times;
 
@@ -98,6 +99,12 @@ void update_residual(Hierarchy& hierarchy, Level& level);
 inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
   const auto along = [&](const LoadLine& line) { return line.slope * (hierarchy.H00 - line.origin); };
   return level.load + along(hierarchy.load_line) + along(hierarchy.outside_line);
+}
+
+/// The nodes of column i as the film model takes them.
+inline film::Station station_of(const Hierarchy& hierarchy, const Level& level, int i, std::span<const double> P,
+                                std::span<const double> H, bool along = false) {
+  return {level.grid, i, P, H, along, level.factors ? &*level.factors : nullptr, hierarchy.sliding};
 }
 
 /// True if epsilon along Y is a separate field.

@@ -165,12 +165,6 @@ inline bool corrects_finer(const Level& level) { return level.role == Role::corr
 /// True if the level has the mass-conserving cavitation model.
 inline bool conserves_mass(const Level& level) { return level.content.has_value(); }
 
-/// The nodes of column i as the film model takes them.
-inline film::Station station_of(const Level& level, int i, std::span<const double> P, std::span<const double> H,
-                                bool along = false) {
-  return {level.grid, i, P, H, along, level.factors ? &*level.factors : nullptr};
-}
-
 /// The fields of the Reynolds equation.
 inline reynolds::Fields fields(const Level& level) {
   return {level.P,

@@ -88,7 +88,7 @@ void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   ThreadWork& work = level.thread_work.front();
   LineNodes& nodes = work.line_nodes;
   const bool half_points = at_half_points(level);
-  const film::Station line = station_of(level, 0, nodes.P, nodes.H, true);
+  const film::Station line = station_of(hierarchy, level, 0, nodes.P, nodes.H, true);
   if (half_points) {
     film::oil(model, line, work.film,
               {.fluidity = nodes.fluidity,

@@ -80,7 +80,7 @@ void Equations::linearize(std::span<const double> u) {
     const auto known = [i](const core::Field& field) {
       return field.nodes_x() > 0 ? field.station(i) : std::span<const double>{};
     };
-    const film::Station station = multigrid::station_of(level_, i, known(level_.P), known(level_.H));
+    const film::Station station = multigrid::station_of(hierarchy_, level_, i, known(level_.P), known(level_.H));
     if (at_half_points())
       film::oil_slopes(model, station, buffers,
                        {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,

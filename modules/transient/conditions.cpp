@@ -25,7 +25,8 @@ Drive drive_at(const Conditions& conditions, double T) {
   return {.load = load,
           .speed = 0.5 * (u1 + u2),
           .load_rate = (load - value(conditions.load, T - a_little)) / a_little,
-          .supply = supply_at(conditions.supply, T, u1, u2)};
+          .supply = supply_at(conditions.supply, T, u1, u2),
+          .sliding = std::abs(u1 - u2)};
 }
 
 Course course_of(const Conditions& conditions) {

@@ -30,6 +30,7 @@ struct Conditions {
   std::optional<surface::Relief> on_2{};
   std::optional<Body> body{};  ///< a body that moves; absent: the film carries the load at all times
   Supply supply{};
+  double thinning_k = 0.0;  ///< k of the scene's shear thinning where |u1 - u2| = u_m
   /// Q of cavitated nodes is an unknown even with a flooded inlet. If the scene has a supply, Q always is.
   bool conserves_mass = false;
   Tuning tuning{};

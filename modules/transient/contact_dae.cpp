@@ -64,6 +64,7 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   multigrid::Level& level = hierarchy_.finest();
   hierarchy_.transport.speed = drive.speed;
   hierarchy_.transport.squeeze = cj;
+  hierarchy_.sliding = drive.sliding;
   level.load = W_ * drive.load - level.load_outside;
   hierarchy_.load_line = {};
   hierarchy_.outside_line = {};

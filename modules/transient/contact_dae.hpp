@@ -20,6 +20,7 @@ struct Drive {
   double speed = 1.0;      ///< U >= 0: entrainment speed over u_m, the speed that enters lambda
   double load_rate = 0.0;  ///< d load/dT before T, for the far field
   double supply = 1.0;     ///< oil supplied at the inlet, over that of the problem
+  double sliding = 0.0;    ///< |u1 - u2| over u_m
 };
 
 /// Surfaces and body of the contact, as functions of T = t u_m/a.

@@ -40,7 +40,8 @@ Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
   const auto between = [share](double a, double b) { return a == b ? a : a + share * (b - a); };
   return {.load = from.load + share * (to.load - from.load),
           .speed = from.speed + share * (to.speed - from.speed),
-          .supply = between(from.supply, to.supply)};
+          .supply = between(from.supply, to.supply),
+          .sliding = from.sliding + share * (to.sliding - from.sliding)};
 }
 
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {

@@ -1,6 +1,7 @@
 // The effect `shear`: an oil that thins under shear.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/json.hpp"
@@ -44,6 +45,7 @@ void enter(Case& input) {
   if (!shear) return;
   input.scene.thinning = shear->sliding;
   input.flow_thinning = shear->flow;
+  if (input.transient) input.transient->conditions.thinning_k = shear->k_of_u_m;
   observe_friction(input);
 }
 
@@ -75,9 +77,11 @@ std::string what(const Case& input) {
 }
 
 std::string idle(const Case& input) {
-  // A traction curve may contain the point srr = 0.
+  // A traction curve may contain the point srr = 0, and the speeds may vary in time.
   const bool one_of_a_curve = input.friction || input.heat || input.flow_thinning;
-  if (input.scene.thinning->k == 0.0 && !one_of_a_curve)
+  const auto varies = [&](const char* speed) { return deck::given(input.deck, "transient", speed); };
+  const bool one_of_many_times = std::ranges::any_of(std::initializer_list{"u1", "u1_wave", "u2", "u2_wave"}, varies);
+  if (input.scene.thinning->k == 0.0 && !one_of_a_curve && !one_of_many_times)
     return "the surfaces do not slide (srr = 0), and the oil thins by sliding: remove [shear], or give [motion] srr, "
            "or different u1 and u2, or flow = on";
   const auto* carreau = std::get_if<rheology::Carreau>(&input.scene.thinning->law);

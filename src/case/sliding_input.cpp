@@ -17,7 +17,7 @@ using deck::given;
 
 // Refuses the section for cases in which it is not available. Returns false if the deck has any errors.
 bool possible(deck::Deck& deck, const Physics& physics, const char* section, const char* key) {
-  if (given(deck, "transient", "end_time"))
+  if (std::string(section) == "friction" && given(deck, "transient", "end_time"))
     complain(deck, section, key, "is available for steady contacts only: remove it, or remove [transient]");
   const bool said = std::string(section) == "friction" && given(deck, "shear", "law");
   if (physics.language == Language::moes && !given(deck, "contact", "a_over_R") && !said)
@@ -34,6 +34,8 @@ double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; 
 // Refuses what is not available with flow thinning.
 void check_passes(deck::Deck& deck, const Physics& physics) {
   const deck::Part shear{deck, "shear"};
+  if (given(deck, "transient", "end_time"))
+    shear.complain("flow", "is available for steady contacts only: set flow = off");
   if (given(deck, "grid", "accuracy"))
     shear.complain("flow", "is not available together with [grid] accuracy: give [grid] cells");
   if (deck::word(deck, "multigrid", "polish") == "always")
@@ -98,9 +100,10 @@ std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) 
              "alpha with a piezoviscous law");
   if (shear.flow) check_passes(deck, physics);
   if (!deck.errors.empty()) return std::nullopt;
-  ShearInput input{.sliding = {shear.law, std::abs(stress_of_sliding(physics)) * physics.p_h / shear.stress}};
-  if (shear.flow)
-    input.flow = {shear.law, stress_of_speed(physics) * physics.p_h / shear.stress, std::abs(physics.srr)};
+  const double k_of_u_m = stress_of_speed(physics) * physics.p_h / shear.stress;
+  ShearInput input{.sliding = {shear.law, std::abs(stress_of_sliding(physics)) * physics.p_h / shear.stress},
+                   .k_of_u_m = k_of_u_m};
+  if (shear.flow) input.flow = {shear.law, k_of_u_m, std::abs(physics.srr)};
   return input;
 }
 
