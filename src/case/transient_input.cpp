@@ -9,7 +9,8 @@ namespace ehl::program {
 namespace {
 
 transient::Scales scales_of(const Physics& physics) {
-  if (!physics.si) return {.in_SI = physics.language == Language::si};
+  if (!physics.si)
+    return {.in_SI = physics.language == Language::si, .u1 = 1.0 + 0.5 * physics.srr, .u2 = 1.0 - 0.5 * physics.srr};
   const contact::SiContact& contact = physics.si->contact;
   const double u_m = 0.5 * contact.u_s;
   return {.in_SI = true,
