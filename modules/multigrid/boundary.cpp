@@ -31,16 +31,6 @@ void for_boundary(const core::Patch& grid, Action action) {
   }
 }
 
-reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
-  const FarMotion& motion = hierarchy.far_motion;
-  return {.H00 = H00,
-          .speed = hierarchy.transport.speed / motion.mobility,
-          .approach = motion.approach - motion.slope * (H00 - motion.origin),
-          .load = motion.load,
-          .load_rate = motion.load_rate,
-          .flow = motion.flow};
-}
-
 // The flow where the pressure is largest and epsilon smallest.
 double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
   const int top = core::maximum(level.P).i;
@@ -65,6 +55,16 @@ double smooth_film(const Level& level, int i, int j) {
 }
 
 }  // namespace
+
+reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
+  const FarMotion& motion = hierarchy.far_motion;
+  return {.H00 = H00,
+          .speed = hierarchy.transport.speed / motion.mobility,
+          .approach = motion.approach - motion.slope * (H00 - motion.origin),
+          .load = motion.load,
+          .load_rate = motion.load_rate,
+          .flow = motion.flow};
+}
 
 std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const core::Patch& grid) {
   std::vector<reynolds::FarPoint> points;

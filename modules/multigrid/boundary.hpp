@@ -8,6 +8,9 @@ namespace ehl::multigrid {
 /// field.
 std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const core::Patch& grid);
 
+/// The state of the far field with the motion of the bodies at H00.
+reynolds::FarState far_state(const Hierarchy& hierarchy, double H00);
+
 /// Sets the pressure on the boundary, and the load that is left for the domain, by the far field at the present H00.
 /// Without a far field it does nothing. The film follows at its next evaluation. out: the largest change of a pressure,
 /// or of the load over the problem's. errors: core::SolverError where the far field has no pressure. cost: some 700

@@ -74,12 +74,16 @@ struct Frames {
   std::vector<Series> series{};
 };
 
-/// Fields on a section along x and across the film.
+/// Fields on a section along x and across the film or in depth.
 struct Section {
   std::string group{};  ///< "/thermal_section"; empty: none
   std::string meaning{};
   Column across{};                   ///< z of the group
   std::vector<NamedField> fields{};  ///< nodes along x by nodes across
+  std::vector<double> x{};           ///< of the nodes; empty: of the grid of the contact
+  std::vector<Column> columns{};     ///< a table beside the fields, whose first column is the time of `series`
+  std::vector<Series> series{};      ///< the section at several times
+  std::vector<Quantity> numbers{};
 };
 
 /// Fields in space: planes at several depths on their own grid, and a section across them.
@@ -124,6 +128,7 @@ struct Content {
   Loose checkpoint{};
   Volume volume{};
   Section section{};
+  std::vector<Section> more_sections{};
   std::vector<EffectRow> effects{};  ///< empty: no group
 };
 

@@ -98,10 +98,14 @@ void frames(List& list, const Frames& of) {
   for (const Series& one : of.series) series(list, of.group, one);
 }
 
-void table(List& list, const Table& of) {
+std::string names_of(const std::vector<Column>& columns) {
   std::string order;
-  for (const Column& one : of.columns) order += (order.empty() ? "" : " ") + one.name;
-  list.group("/" + of.name, of.meaning, {{"columns", order}});
+  for (const Column& one : columns) order += (order.empty() ? "" : " ") + one.name;
+  return order;
+}
+
+void table(List& list, const Table& of) {
+  list.group("/" + of.name, of.meaning, {{"columns", names_of(of.columns)}});
   for (const Column& one : of.columns) column(list, "/" + of.name, one);
 }
 
@@ -114,10 +118,13 @@ void loose(List& list, const Loose& of) {
 
 void section(List& list, const core::Grid& along, const Section& of) {
   if (of.group.empty()) return;
-  list.group(of.group, of.meaning);
-  axis(list, of.group + "/x", stations(along), "X of the nodes");
+  list.group(of.group, of.meaning, {{"columns", names_of(of.columns)}});
+  axis(list, of.group + "/x", of.x.empty() ? stations(along) : of.x, "X of the nodes");
   column(list, of.group, of.across);
+  for (const Column& one : of.columns) column(list, of.group, one);
   for (const NamedField& one : of.fields) field(list, of.group, one);
+  for (const Series& one : of.series) series(list, of.group, one);
+  quantities(list, of.group, of.numbers);
 }
 
 void volume(List& list, const Volume& of) {
@@ -177,6 +184,7 @@ std::vector<Entry> entries(const Content& content) {
   loose(list, content.checkpoint);
   volume(list, content.volume);
   section(list, content.grid, content.section);
+  for (const Section& one : content.more_sections) section(list, content.grid, one);
   effects(list, content.effects);
   return std::move(list.made);
 }

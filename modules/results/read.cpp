@@ -193,6 +193,12 @@ std::string ResultFile::axis(const std::string& field, const std::string& name) 
   return "";
 }
 
+std::string ResultFile::rows(const std::string& field) const {
+  const std::string home = field.substr(0, field.rfind('/'));
+  const auto has = [&](const char* name) { return kind(home + "/" + name) == Kind::numbers; };
+  return has("z") && !has("y") ? "z" : "y";
+}
+
 Array ResultFile::frame(const std::string& name, std::size_t k) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
@@ -203,7 +209,7 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
   Array array;
   array.dims = {lengths[1], lengths[2]};
   // A damaged header can state more numbers than fit into memory, so the dimensions are compared with the grid.
-  const std::string x = axis(name, "x"), y = axis(name, "y");
+  const std::string x = axis(name, "x"), y = axis(name, rows(name));
   const auto fits = [&](const std::string& axis, hsize_t length) {
     return !axis.empty() && dims(axis) == std::vector<std::size_t>{length};
   };

@@ -44,6 +44,8 @@ class ResultFile {
   /// Path of the axis "x", "y", "z" or "time" of a field: in the same group, or for x and y that of /grid; empty if
   /// there is none.
   std::string axis(const std::string& field, const std::string& name) const;
+  /// The axis of the rows of a field: "y" on planes, "z" on a section along x and in depth.
+  std::string rows(const std::string& field) const;
   /// Field number k of a dataset (time or depth, y, x), as (y, x). errors: as above; k out of range.
   Array frame(const std::string& name, std::size_t k) const;
   /// Dimensions of a dataset; empty for a single number.

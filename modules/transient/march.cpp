@@ -8,7 +8,6 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "judgement/measures.hpp"
 #include "multigrid/mass_balance.hpp"
 #include "multigrid/start.hpp"
 #include "steady/multigrid_solve.hpp"
@@ -17,6 +16,7 @@
 #include "transient/rest.hpp"
 #include "transient/scene_in_time.hpp"
 #include "transient/settle.hpp"
+#include "transient/snapshot.hpp"
 
 namespace ehl::transient {
 namespace {
@@ -95,10 +95,12 @@ class March {
 
  private:
   Drive drive(double T) const { return drive_at(conditions_, T); }
-  double central_film() const { return judgement::value_at(hierarchy_.finest().grid, hierarchy_.finest().H, 0.0, 0.0); }
 
   // Scale of the error test. An approaching body will have a film of this order at impact.
-  double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }
+  double film_scale() const {
+    const double Hc = central_film(hierarchy_.finest());
+    return conditions_.body ? std::min(Hc, 0.1) : Hc;
+  }
 
   bool reach(Ida& ida, double stop) {
     while (report_.T < stop) {
@@ -196,29 +198,10 @@ class March {
   }
 
   bool show(const StepReport& step) {
-    const multigrid::Level& level = hierarchy_.finest();
-    const core::Location Hm = core::minimum(level.H);
-    const LoadBalance balance = dae_.load_balance();
-    const StepRow row{.T = step.T,
-                      .Hc = central_film(),
-                      .Hm = Hm.value,
-                      .Hm_X = level.grid.X(Hm.i),
-                      .Hm_Y = level.grid.Y(Hm.j),
-                      .P_max = core::maximum(level.P).value,
-                      .H00 = hierarchy_.H00 + balance.carried * of_unit_,
-                      .load = value(conditions_.load, step.T),
-                      .speed = drive(step.T).speed,
-                      .load_error = balance.error,
-                      .velocity = dae_.velocity(),
-                      .carried = balance.carried,
-                      .length = step.length,
-                      .order = step.order,
-                      .cycles = step.cycles,
-                      .newton_steps = step.newton_steps,
-                      .rejected = step.rejected,
-                      .not_solved = step.not_solved,
-                      .oil = dae_.oil(),
-                      .probed = probed_at(level.grid, level.P, level.H, parameters_.probes)};
+    StepRow row = row_of(hierarchy_, dae_, conditions_, step);
+    row.H00 += row.carried * of_unit_;
+    row.probed = probed_at(hierarchy_.finest().grid, hierarchy_.finest().P, hierarchy_.finest().H, parameters_.probes);
+    if (observer_.measure) row.measured = observer_.measure(state_at(step.T));
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
     report_.worst_oil_error = std::max(report_.worst_oil_error, row.oil.from_nowhere);
     at_rest_ = rest_.reached(row);
@@ -245,8 +228,11 @@ class March {
     last_frame_ = T;
     if (!observer_.frame) return;
     const multigrid::Level& level = hierarchy_.finest();
-    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta()});
+    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta(),
+                     observer_.measure_fields ? observer_.measure_fields(state_at(T)) : std::vector<core::Field>{}});
   }
+
+  State state_at(double T) const { return state_of(hierarchy_, dae_, conditions_, T); }
 
   bool fail(const std::string& reason) {
     report_.reason = reason;

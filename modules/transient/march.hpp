@@ -44,14 +44,28 @@ struct StepRow {
   int not_solved = 0;    ///< attempts whose equations were not solved
 
   OilInTime oil{};
-  std::vector<Probed> probed{};  ///< one entry per probe
+  std::vector<Probed> probed{};    ///< one entry per probe
+  std::vector<double> measured{};  ///< by Observer::measure
 };
 
 /// The contact at one time, on the whole domain.
 struct Frame {
   double T = 0.0;
   core::Field P{}, H{};
-  core::Field theta{};  ///< Q/(rho_bar H) where mass is conserved; else empty
+  core::Field theta{};                  ///< Q/(rho_bar H) where mass is conserved; else empty
+  std::vector<core::Field> measured{};  ///< by Observer::measure_fields
+};
+
+/// The solved contact at one time, on the computed patch. It refers to the running integration.
+struct State {
+  double T = 0.0;
+  const core::Patch& grid;
+  const core::Field& P;
+  const core::Field& H;
+  double carried = 1.0;                           ///< load that the film carries, over that of the scene
+  double u1 = 1.0, u2 = 1.0;                      ///< speeds of the surfaces over u_m
+  const reynolds::FarField* far_field = nullptr;  ///< null: no oil outside the domain is known
+  reynolds::FarState far{};
 };
 
 /// Everything that is needed to continue from here.
@@ -68,7 +82,9 @@ struct Checkpoint {
 struct Observer {
   std::function<bool(const StepRow& row)> row{};
   std::function<void(Frame&& frame)> frame{};
-  std::function<bool()> wants_checkpoint{};                   ///< called after every step
+  std::function<std::vector<double>(const State& state)> measure{};              ///< numbers for every row
+  std::function<std::vector<core::Field>(const State& state)> measure_fields{};  ///< fields for every frame
+  std::function<bool()> wants_checkpoint{};                                      ///< called after every step
   std::function<void(Checkpoint&& checkpoint)> checkpoint{};  ///< called when wanted, and when `row` returned false
 };
 

@@ -16,6 +16,10 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   if (unit == "p_h") return {"GPa", 1e-9 * scales.p_h};
   if (unit == "a/u_m") return {"ms", 1e3 * scales.time};
   if (unit == "a u_m/R") return {"um/s", 1e6 * scales.h / scales.time};
+  if (unit == "F_0") return {"N", scales.load};
+  if (unit == "F_0'") return {"N/m", scales.load};
+  if (unit == "F_0 u_m") return {"W", scales.load * u_m};
+  if (unit == "F_0' u_m") return {"W/m", scales.load * u_m};
   if (unit == "rho0 u_m a^3/R") return {"rho0 mm^3/s", 1e9 * scales.a * scales.h * u_m};
   if (unit == "rho0 u_m a^2/R") return {"rho0 mm^2/s", 1e6 * scales.h * u_m};
   return {unit, 1.0};

@@ -11,6 +11,7 @@ struct SiScales {
   double h = std::numeric_limits<double>::quiet_NaN();     ///< a^2/R [m]
   double p_h = std::numeric_limits<double>::quiet_NaN();   ///< Hertz pressure [Pa]
   double time = std::numeric_limits<double>::quiet_NaN();  ///< a/u_m [s]
+  double load = std::numeric_limits<double>::quiet_NaN();  ///< F_0 [N], or F_0' of a line contact [N/m]
 };
 
 struct SiUnit {
@@ -18,7 +19,8 @@ struct SiUnit {
   double factor = 1.0;  ///< a number in the unit of the contact times this factor is the number in `name`
 };
 
-/// The SI unit of a quantity: um for places, nm for films, GPa for pressures, ms for times, um/s for approach speeds.
+/// The SI unit of a quantity: um for places, nm for films, GPa for pressures, ms for times, um/s for approach speeds,
+/// N for forces, W for powers (of a line contact per m).
 /// in: a unit of the result file, "a^2/R".
 /// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);

@@ -12,6 +12,7 @@
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
 #include "effects/roller/analysis.hpp"
+#include "effects/subsurface/history.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/solution.hpp"
 
@@ -85,6 +86,29 @@ inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
   return heat ? &heat->found.fields : (flow ? &flow->found.fields : nullptr);
 }
 
+/// Stresses at the stored times of a run in time, and what the material of both bodies has met by then.
+struct StressCourse {
+  /// The largest stresses below surface 1 at one time.
+  struct Row {
+    double T = 0.0;
+    subsurface::Maximum mises{}, shear{};
+  };
+  std::vector<Row> rows{};
+  core::Grid grid{};                                 ///< of the stresses
+  std::vector<double> depths{};                      ///< of the planes
+  std::vector<std::vector<core::Field>> sections{};  ///< [quantity][time], over x and depth
+  /// What the material of a body has met, in coordinates that move with it; the place of a maximum is in them too.
+  struct Body {
+    std::vector<double> x{};
+    std::vector<subsurface::Maximum> largest{};  ///< [subsurface::Met]
+    std::vector<core::Field> sections{};         ///< the same order, over x and depth
+    double longest_move = 0.0;                   ///< between two stored times, in cells of the stresses
+  };
+  std::vector<Body> bodies{};
+  core::Warnings warnings{};
+  double seconds = 0.0;
+};
+
 /// The contact, and the results of each effect.
 struct Computed {
   std::string unsolved{};       ///< why there is nothing to show; empty if there is a solution, converged or not
@@ -94,6 +118,7 @@ struct Computed {
   DerivedFields derived{};
   std::optional<TransientResult> in_time{};
   std::optional<subsurface::StressField> stresses{};
+  std::optional<StressCourse> stress_course{};
   std::optional<friction::Friction> friction{};
   std::optional<HeatResult> heat{};
   std::optional<roller::Analysis> roller{};

@@ -6,6 +6,7 @@
 #include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
+#include "case/friction_in_time.hpp"
 #include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
 #include "deck/text.hpp"
@@ -39,20 +40,21 @@ Group friction_numbers() {
              of(&Friction::sliding)),
       number(id::error_mu, "-", "estimated relative error of mu on this domain", column(402),
              of(&Friction::error_sliding)),
-      number("mu_rolling", "-", "rolling friction over the load, the same on both surfaces", bar("error_mu_rolling"),
+      number(id::mu_rolling, "-", "rolling friction over the load, the same on both surfaces", bar("error_mu_rolling"),
              label("rolling friction"), column(403), on_page(11), of(&Friction::rolling)),
       number("error_mu_rolling", "-", "estimated relative error of mu_rolling on this domain", column(404),
              of(&Friction::error_rolling)),
-      number("mu_1", "-", "force of the film on surface 1 along +x over the load", column(405), of(&Friction::on_1)),
-      number("mu_2", "-", "force of the film on surface 2 along +x over the load", column(406), of(&Friction::on_2)),
-      number("mu_cavitated", "-", "part of mu from the cavitated region", of(&Friction::cavitated)),
-      number("largest_shear_stress", "p_h", "largest shear stress of sliding, in the pressurized film",
+      number(id::mu_1, "-", "force of the film on surface 1 along +x over the load", column(405), of(&Friction::on_1)),
+      number(id::mu_2, "-", "force of the film on surface 2 along +x over the load", column(406), of(&Friction::on_2)),
+      number(id::mu_cavitated, "-", "part of mu from the cavitated region", of(&Friction::cavitated)),
+      number(id::largest_shear_stress, "p_h", "largest shear stress of sliding, in the pressurized film",
              json("largest_stress"), of(&Friction::largest_stress)),
-      number("limited_share", "-", "share of the load on which the limiting stress acts", of(&Friction::limited_share)),
-      number("mu_beyond", "-", "part of mu from outside the domain", only_if(beyond), of(&Friction::beyond)),
+      number(id::limited_share, "-", "share of the load on which the limiting stress acts",
+             of(&Friction::limited_share)),
+      number(id::mu_beyond, "-", "part of mu from outside the domain", only_if(beyond), of(&Friction::beyond)),
       number("mu_upstream", "-", "part of mu_rolling from upstream of the domain", only_if(upstream),
              of(&Friction::rolling_beyond)),
-      number("mu_rolling_beyond", "-", "part of mu_rolling from outside of the domain, up to the meniscus",
+      number(id::mu_rolling_beyond, "-", "part of mu_rolling from outside of the domain, up to the meniscus",
              only_if(around), of(&Friction::rolling_beyond)),
       number("meniscus", "a", "distance of the inlet meniscus up to which friction is counted", only_if(has_meniscus),
              [](Of s) { return rubbed(s).parameters.meniscus; }),
@@ -60,9 +62,9 @@ Group friction_numbers() {
              "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as much if "
              "it is full of oil",
              only_if(has_outer), of(&Friction::outer)),
-      number("mu_side", "-", "force of the film on each surface along +y over the load", only_if(has_side),
+      number(id::mu_side, "-", "force of the film on each surface along +y over the load", only_if(has_side),
              of(&Friction::side)),
-      number("slide_roll_ratio", "-", "(u1 - u2)/u_m", not_json, [](Of s) { return s.input.physics.srr; })};
+      number(id::slide_roll_ratio, "-", "(u1 - u2)/u_m", not_json, [](Of s) { return s.input.physics.srr; })};
   return group;
 }
 
@@ -82,7 +84,8 @@ std::string what(const Case& input) {
   return fmt::format("{}, {}, slide-roll ratio {:.4g}, ", thermal(input), oil(input), input.physics.srr) +
          (std::isfinite(parameters.limit) ? fmt::format("limited to {:.4g} p", parameters.limit)
                                           : "no limiting stress") +
-         ", cavitated region: " + deck::word(input.deck, "friction", "cavitated");
+         ", cavitated region: " + deck::word(input.deck, "friction", "cavitated") +
+         (input.transient ? "; at every step in time" : "");
 }
 
 Needs expense(const Case& input) {
@@ -90,7 +93,8 @@ Needs expense(const Case& input) {
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const int kept = (input.friction->keep_tau1 ? 1 : 0) + (input.friction->keep_tau2 ? 1 : 0);
   constexpr double seconds_per_node = 4e-8;
-  return {.bytes = nodes * sizeof(double) * kept, .seconds = nodes * seconds_per_node};
+  const double times = input.transient ? 1.0 + expected_steps(input) : 1.0;
+  return {.bytes = nodes * sizeof(double) * kept, .seconds = times * nodes * seconds_per_node};
 }
 
 // The region in which friction is computed.
@@ -113,9 +117,10 @@ std::string summary(const Case& input, const Computed& computed) {
   const auto with_bar = [](double mu, double error) {
     return std::isfinite(error) && mu != 0.0 ? " +- " + percent(error) : "";
   };
-  std::string text = fmt::format("friction     mu = {:.5g}{} sliding{}, {:.3g}{} rolling{}{}\n", f.sliding,
-                                 with_bar(f.sliding, f.error_sliding), in_newtons(f.sliding), f.rolling,
-                                 with_bar(f.rolling, f.error_rolling), in_newtons(f.rolling), mark);
+  std::string text =
+      fmt::format("friction     {}mu = {:.5g}{} sliding{}, {:.3g}{} rolling{}{}\n",
+                  computed.in_time ? "at the start " : "", f.sliding, with_bar(f.sliding, f.error_sliding),
+                  in_newtons(f.sliding), f.rolling, with_bar(f.rolling, f.error_rolling), in_newtons(f.rolling), mark);
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
@@ -138,7 +143,7 @@ std::string summary(const Case& input, const Computed& computed) {
   if (std::isfinite(f.parameters.limit))
     text += fmt::format(", limited on {:.0f} % of the load", 100.0 * f.limited_share);
   text += std::string("; ") + thermal(input) + ", " + oil(input) + "\n";
-  return text;
+  return text + friction_in_time_summary(input, computed);
 }
 
 Json json(const Case& input, const Computed& computed) {
@@ -200,13 +205,19 @@ void observe_friction(Case& input) {
 
 Effect friction_effect() {
   return {.name = "friction",
-          .meaning = "Friction on both surfaces, from the steady pressure and film.",
+          .meaning = "Friction on both surfaces, from the pressure and the film; in time at every step.",
           .sections = {{.name = "friction", .called_by = {"cavitated"}}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
           .numbers = numbers::friction_numbers,
-          .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics, input.scene); },
+          .more_numbers = friction_step_numbers,
+          .read =
+              [](Case& input) {
+                if (deck::called_for(input.deck, "friction")) settle_sliding_at_start(input);
+                input.friction = friction_input(input.deck, input.physics, input.scene);
+              },
           .stages = {.scene = observe_friction,
+                     .in_steps = friction_in_steps,
                      .after_solution =
                          [](const Case& input, RunSettings&, Computed& computed) {
                            computed.friction =
@@ -218,9 +229,16 @@ Effect friction_effect() {
           .expense = expense,
           .summary = summary,
           .json = json,
-          .warnings = [](const Case&, const Computed& computed) { return friction::warnings(*computed.friction); },
+          .warnings =
+              [](const Case& input, const Computed& computed) {
+                return computed.in_time ? friction_in_time_warnings(input, *computed.in_time)
+                                        : friction::warnings(*computed.friction);
+              },
           .add_content = add_content,
-          .seconds = [](const Computed& computed) { return computed.friction->seconds; },
+          .seconds =
+              [](const Computed& computed) {
+                return computed.friction->seconds + (computed.in_time ? computed.in_time->seconds.at("friction") : 0.0);
+              },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "friction.cavitated=striated"}};
 }
 

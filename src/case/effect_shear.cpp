@@ -8,6 +8,7 @@
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
+#include "case/friction_in_time.hpp"
 #include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
 #include "rheology/shear_keys.hpp"
@@ -41,6 +42,7 @@ Group shear_numbers() {
 namespace {
 
 void enter(Case& input) {
+  if (deck::called_for(input.deck, "shear")) settle_sliding_at_start(input);
   const std::optional<ShearInput> shear = shear_input(input.deck, input.physics);
   if (!shear) return;
   input.scene.thinning = shear->sliding;

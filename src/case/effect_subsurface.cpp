@@ -8,6 +8,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
+#include "case/subsurface_in_time.hpp"
 #include "deck/text.hpp"
 #include "effects/subsurface/keys.hpp"
 
@@ -87,20 +88,32 @@ std::string maximum_line(const char* label, const Maximum& maximum, const Physic
 void read(Case& input) {
   deck::Deck& deck = input.deck;
   if (!deck::given(deck, "subsurface", "depth")) return;
-  if (deck::given(deck, "transient", "end_time"))
-    deck::complain(deck, "subsurface", "depth",
-                   "is available for steady contacts only: remove it, or remove [transient]");
+  check_subsurface_in_time(input);
   input.subsurface =
       subsurface::read(deck, deck::number(deck, "contact", "nu1"), deck::given(deck, "friction", "cavitated"));
 }
 
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
-  return {.bytes = subsurface::expected_bytes(grid, *input.subsurface, input.scene.threads),
-          .seconds = subsurface::expected_seconds(grid, *input.subsurface) / input.scene.threads};
+  const Needs once{.bytes = subsurface::expected_bytes(grid, *input.subsurface, input.scene.threads),
+                   .seconds = subsurface::expected_seconds(grid, *input.subsurface) / input.scene.threads};
+  if (!input.transient) return once;
+  const transient::MarchParameters& march = input.transient->parameters;
+  constexpr double fields_of_history = 8.0;  // four of each body
+  const core::Grid own = subsurface::stress_grid(grid, *input.subsurface);
+  const double nodes = static_cast<double>(own.nodes_x()) * own.nodes_y() * input.subsurface->planes;
+  const double longer = 1.0 + march.end / (own.X_b - own.X_a);
+  return {.bytes = once.bytes + fields_of_history * longer * nodes * sizeof(double),
+          .seconds = once.seconds * (1.0 + 2.0 * march.end / march.output_interval)};
+}
+
+// A run in time that was stopped has no stresses yet: `ehl resume` computes them at its end.
+bool is_stopped(const Computed& computed) {
+  return computed.in_time && computed.in_time->report.end == transient::MarchEnd::interrupted;
 }
 
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
+  if (is_stopped(computed)) return;
   const steady::Solution& solution = computed.solution;
   Parameters parameters = *input.subsurface;
   if (computes_friction(input))
@@ -111,6 +124,7 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
         return settings.progress.show(static_cast<double>(done) / planes,
                                       fmt::format("stresses below the contact: {} of {} planes", done, planes));
       });
+  if (computed.in_time) compute_stress_course(input, settings, computed);
 }
 
 std::string what(const Case& input) {
@@ -120,15 +134,18 @@ std::string what(const Case& input) {
 }
 
 std::string summary(const Case& input, const Computed& computed) {
+  if (!computed.stresses) return {};
   const StressField& field = *computed.stresses;
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
   return maximum_line("von Mises   ", field.mises, input.physics, mark) +
          maximum_line("tau_max     ", field.shear, input.physics, mark) + "subsurface   " +
          nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
-         body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds);
+         body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) +
+         (computed.stress_course ? stress_course_summary(input, *computed.stress_course) : "");
 }
 
 Json json(const Case& input, const Computed& computed) {
+  if (!computed.stresses) return {};
   const StressField& field = *computed.stresses;
   Json report;
   const std::vector<results::Quantity> list = numbers::quantities("stresses", {input, computed});
@@ -138,10 +155,13 @@ Json json(const Case& input, const Computed& computed) {
   report["planes"] = field.depths.size();
   report[id::nx] = field.grid.nx;
   report[id::ny] = field.grid.ny;
+  for (const numbers::Group& history : stress_history_numbers())
+    add(numbers::quantities(history.name, {input, computed}), report);
   return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
+  if (!computed.stresses) return;
   const StressField& field = *computed.stresses;
   results::Volume& volume = content.volume;
   volume.group = "/subsurface";
@@ -160,28 +180,41 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
                               &field.section[static_cast<std::size_t>(k)]});
   }
   volume.numbers = numbers::quantities("stresses", {input, computed});
+  if (computed.stress_course) add_stress_course(input, computed, content);
 }
 
 }  // namespace
 
 Effect subsurface_effect() {
-  return {.name = "subsurface",
-          .meaning = "Stresses in the body below the contact, from the steady pressure.",
-          .sections = {{.name = "subsurface", .called_by = {"depth"}}},
-          .costly = {"subsurface", "planes"},
-          .keys = subsurface::keys,
-          .numbers = numbers::stress_numbers,
-          .read = read,
-          .stages = {.after_solution = compute},
-          .on = [](const Case& input) { return input.subsurface.has_value(); },
-          .what = what,
-          .expense = expense,
-          .summary = summary,
-          .json = json,
-          .warnings = [](const Case&, const Computed& computed) { return computed.stresses->warnings; },
-          .add_content = add_content,
-          .seconds = [](const Computed& computed) { return computed.stresses->seconds; },
-          .example = {"subsurface.depth=1", "subsurface.planes=5", "subsurface.cells=32"}};
+  return {
+      .name = "subsurface",
+      .meaning = "Stresses in the bodies below the contact; in time at the stored times, and what the material meets.",
+      .sections = {{.name = "subsurface", .called_by = {"depth"}}},
+      .costly = {"subsurface", "planes"},
+      .keys = subsurface::keys,
+      .numbers = numbers::stress_numbers,
+      .more_numbers = stress_history_numbers,
+      .read = read,
+      .stages = {.after_solution = compute},
+      .on = [](const Case& input) { return input.subsurface.has_value(); },
+      .what = what,
+      .expense = expense,
+      .summary = summary,
+      .json = json,
+      .warnings =
+          [](const Case&, const Computed& computed) {
+            core::Warnings all = computed.stresses ? computed.stresses->warnings : core::Warnings{};
+            if (computed.stress_course)
+              all.insert(all.end(), computed.stress_course->warnings.begin(), computed.stress_course->warnings.end());
+            return all;
+          },
+      .add_content = add_content,
+      .seconds =
+          [](const Computed& computed) {
+            return (computed.stresses ? computed.stresses->seconds : 0.0) +
+                   (computed.stress_course ? computed.stress_course->seconds : 0.0);
+          },
+      .example = {"subsurface.depth=1", "subsurface.planes=5", "subsurface.cells=32"}};
 }
 
 }  // namespace ehl::program

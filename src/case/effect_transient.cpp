@@ -86,6 +86,19 @@ bool is_rough(const Case& input) {
 
 }  // namespace
 
+double expected_steps(const Case& input) {
+  constexpr double shorter_steps = 3.0;  // if load, speed or supply varies: steps over longest steps
+  constexpr double more_of_rough = 5.0;  // for measured heights, with more cycles per step
+  const transient::Conditions& conditions = input.transient->conditions;
+  const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
+  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2) ||
+                      varies(conditions.supply.factor);
+  return input.transient->parameters.end / step_of(*input.transient) *
+         (is_rough(input) ? more_of_rough
+          : driven        ? shorter_steps
+                          : 1.0);
+}
+
 Needs expense_in_time(const Case& input) {
   // Per node of the whole domain, for a contact that is symmetric in Y. [bench: needs_in_time]
   constexpr double doubles_of_history = 30.0;  // IDA's history of P and Q
@@ -93,19 +106,10 @@ Needs expense_in_time(const Case& input) {
   constexpr double seconds_per_node_and_step = 2.5e-7;
   constexpr double seconds_of_coarse_grids = 1.5e-3;     // in each step
   constexpr double seconds_per_node_and_frame = 5.5e-7;  // computes a film and writes both fields
-  constexpr double shorter_steps = 3.0;                  // if load, speed or supply varies: steps over longest steps
-  constexpr double more_of_rough = 5.0;                  // for measured heights, with more cycles per step
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const transient::MarchParameters& march = input.transient->parameters;
-  const transient::Conditions& conditions = input.transient->conditions;
-  const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
-  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2) ||
-                      varies(conditions.supply.factor);
-  const double steps = march.end / step_of(*input.transient) *
-                       (is_rough(input) ? more_of_rough
-                        : driven        ? shorter_steps
-                                        : 1.0);
+  const double steps = expected_steps(input);
   const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
   return {.bytes = nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame),
           .seconds = steps * (seconds_of_coarse_grids + nodes * seconds_per_node_and_step) +
@@ -153,7 +157,9 @@ Effect transient_effect() {
           .seconds =
               [](const Computed& computed) {
                 if (!computed.in_time) return 0.0;
-                return computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
+                double own = computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
+                for (const auto& [effect, seconds] : computed.in_time->seconds) own -= seconds;
+                return own;
               },
           .example = {"transient.end_time=0.5", "transient.load=0.1:1 0.4:1.1"}};
 }

@@ -50,6 +50,7 @@ std::string stages_text(const Case& input, const Effect& effect) {
   if (effect.stages.scene) texts.push_back("in the scene that is solved");
   if (effect.stages.film && effect.stages.film(input)) texts.push_back("by equations that are solved with the film");
   if (effect.stages.in_time) texts.push_back("by a run in time from the steady contact");
+  if (effect.stages.in_steps && input.transient) texts.push_back("at every step in time");
   if (effect.stages.after_solution) texts.push_back("after the solution");
   return texts.empty() ? "" : "acts " + deck::joined(texts, " and ") + ", ";
 }

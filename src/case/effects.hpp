@@ -7,6 +7,7 @@
 // in the deck, in the scene, or in an optional of its own in Case (scene.hpp); its result in one in Computed
 // (computed.hpp).
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -50,6 +51,14 @@ struct KeyName {
   std::string name{};
 };
 
+/// What an effect adds to a run in time. The rows and frames hold it in the order of the effects.
+struct InSteps {
+  std::vector<std::string> numbers{};  ///< columns of /transient, by their names in the registry
+  std::function<std::vector<double>(const transient::State& state)> measure{};  ///< NaN: not known at this time
+  std::vector<results::NamedField> fields{};                                    ///< of the frames; without values
+  std::function<std::vector<core::Field>(const transient::State& state)> measure_fields{};
+};
+
 /// Solves the film of a case into computed.solution.
 using FilmSolver = void (*)(const Case& input, const steady::ProgressCallback& progress, Computed& computed);
 
@@ -62,6 +71,8 @@ struct Stages {
   FilmSolver (*film)(const Case& input) = nullptr;
   /// Continues the steady solution in time.
   void (*in_time)(const Case& input, RunSettings& settings, Computed& computed) = nullptr;
+  /// Computes at every accepted step of the run in time, and for every frame.
+  InSteps (*in_steps)(const Case& input) = nullptr;
   /// Computes what follows from the solution.
   void (*after_solution)(const Case& input, RunSettings& settings, Computed& computed) = nullptr;
   Extent from = Extent::contact;  ///< the smallest extent with after_solution
@@ -72,20 +83,21 @@ struct Stages {
 struct Effect {
   std::string name{};
   std::string meaning{};
-  std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, if that differs from `name`
-  std::string without{};                                  ///< the basic model without this effect: "steady"
-  std::vector<deck::Section> sections{};                  ///< sections of the deck that belong to this effect alone
-  std::vector<KeyName> callers{};                         ///< keys that enable it; effects() adds those of sections
-  KeyName costly{};                                       ///< key that determines its memory; empty: first caller
-  std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: the keys are declared by another module
-  numbers::Group (*numbers)() = nullptr;                  ///< its numbers, added to the registry
-  void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports its errors; scene exists
-  Stages stages{};                                        ///< when the pipeline calls it
-  bool (*on)(const Case& input) = nullptr;                ///< must be set
-  std::string (*what)(const Case& input) = nullptr;       ///< describes the effect in this case; must be set
-  std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence here; empty if it has one
-  Needs (*expense)(const Case& input) = nullptr;          ///< the cost in addition to the case without the effect
-  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why it breaks the symmetry in Y; empty if not
+  std::string (*name_here)(const Case& input) = nullptr;    ///< its name in this case, if that differs from `name`
+  std::string without{};                                    ///< the basic model without this effect: "steady"
+  std::vector<deck::Section> sections{};                    ///< sections of the deck that belong to this effect alone
+  std::vector<KeyName> callers{};                           ///< keys that enable it; effects() adds those of sections
+  KeyName costly{};                                         ///< key that determines its memory; empty: first caller
+  std::vector<deck::Key> (*keys)() = nullptr;               ///< not set: the keys are declared by another module
+  numbers::Group (*numbers)() = nullptr;                    ///< its numbers, added to the registry
+  std::vector<numbers::Group> (*more_numbers)() = nullptr;  ///< those of a run in time
+  void (*read)(Case& input) = nullptr;                      ///< reads the deck and reports its errors; scene exists
+  Stages stages{};                                          ///< when the pipeline calls it
+  bool (*on)(const Case& input) = nullptr;                  ///< must be set
+  std::string (*what)(const Case& input) = nullptr;         ///< describes the effect in this case; must be set
+  std::string (*idle)(const Case& input) = nullptr;         ///< why it has no influence here; empty if it has one
+  Needs (*expense)(const Case& input) = nullptr;            ///< the cost in addition to the case without the effect
+  std::string (*asymmetry)(const Case& input) = nullptr;    ///< why it breaks the symmetry in Y; empty if not
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
   nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< JSON member of its name
   /// What a user must know about its numbers. Report, JSON, result file and C interface take it from here.
@@ -109,8 +121,16 @@ std::vector<Effect> effects_of(const Case& input);
 /// Reads the settings of every effect into the case. Errors are added to its deck.
 void read_effects(Case& input);
 
+/// What all effects of the case add to a run in time. in: seconds: counts their time, by the name of the effect. The
+/// case must outlive the result.
+InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds = nullptr);
+/// The values of a column that an effect adds, one for each row; empty: the run has no such column.
+std::vector<double> course_of(const Case& input, const std::string& number, const TransientResult& result);
+
 /// The cost of a run in time, of which moving surfaces are a share.
 Needs expense_in_time(const Case& input);
+/// The number of time steps that is expected.
+double expected_steps(const Case& input);
 /// The friction of a solution, as the case asks for it, else without the cavitated region. in: film: the temperature
 /// and viscosity fields of heat or flow thinning, or nullptr.
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);

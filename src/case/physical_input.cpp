@@ -165,7 +165,8 @@ std::optional<SiScales> si_scales(const Physics& physics) {
   if (!physics.si) return std::nullopt;
   const contact::Hertz& hertz = physics.si->hertz;
   const double u_s = physics.si->contact.u_s;
-  return SiScales{hertz.a, hertz.h_scale, hertz.p_h, u_s > 0.0 ? 2.0 * hertz.a / u_s : std::nan("")};
+  return SiScales{hertz.a, hertz.h_scale, hertz.p_h, u_s > 0.0 ? 2.0 * hertz.a / u_s : std::nan(""),
+                  physics.si->contact.load};
 }
 
 Physics physical_input(deck::Deck& deck) {

@@ -17,8 +17,6 @@ using deck::given;
 
 // Refuses the section for cases in which it is not available. Returns false if the deck has any errors.
 bool possible(deck::Deck& deck, const Physics& physics, const char* section, const char* key) {
-  if (std::string(section) == "friction" && given(deck, "transient", "end_time"))
-    complain(deck, section, key, "is available for steady contacts only: remove it, or remove [transient]");
   const bool said = std::string(section) == "friction" && given(deck, "shear", "law");
   if (physics.language == Language::moes && !given(deck, "contact", "a_over_R") && !said)
     complain(deck, "contact", "a_over_R",

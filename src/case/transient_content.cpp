@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/transient_input.hpp"
 #include "case/transient_run.hpp"
@@ -23,8 +24,9 @@ struct RowKind {
   bool newton = false;  ///< Newton steps are counted separately; files of earlier versions lack this
 };
 
-// The columns of /transient, in order. in: the probes.
-std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes) {
+// The columns of /transient, in order. in: the probes; the numbers that effects add.
+std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes,
+                                          const std::vector<std::string>& added) {
   using numbers::column;
   std::vector<Column<StepRow>> columns{column<StepRow>(id::step_time, &StepRow::T),
                                        column<StepRow>(id::Hc, &StepRow::Hc),
@@ -69,6 +71,11 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
     columns.push_back({"P_" + number, "p_h", name_of_probe("pressure", probes[k]), probed(&transient::Probed::P)});
     columns.push_back({"H_" + number, "a^2/R", name_of_probe("film", probes[k]), probed(&transient::Probed::H)});
   }
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    const numbers::Number& number = numbers::number_of(added[k]);
+    columns.push_back({number.name, number.unit.of(kind.line), number.meaning,
+                       [k](auto& row) -> decltype(auto) { return (row.measured[k]); }});
+  }
   return columns;
 }
 
@@ -83,6 +90,14 @@ std::vector<double> credible(const results::ResultFile& file, const std::string&
   const std::vector<double> values = file.numbers(name).values;
   for (const double value : values)
     if (!(std::abs(value) <= largest_credible)) damaged(file.path(), name + " contains " + deck::shortest(value));
+  return values;
+}
+
+// The numbers of a dataset, where NaN is a value that was not known.
+std::vector<double> known_or_credible(const results::ResultFile& file, const std::string& name) {
+  const std::vector<double> values = file.numbers(name).values;
+  for (const double value : values)
+    if (std::abs(value) > largest_credible) damaged(file.path(), name + " contains " + deck::shortest(value));
   return values;
 }
 
@@ -104,19 +119,23 @@ int whole(const std::string& path, const std::string& name, double value) {
   return static_cast<int>(value);
 }
 
-// The rows of the file, with all its probes.
-std::vector<StepRow> read_rows(const results::ResultFile& file) {
+// The rows of the file, with all its probes. in: the numbers that effects add, which may be unknown at some times.
+std::vector<StepRow> read_rows(const results::ResultFile& file, const std::vector<std::string>& added) {
   const auto there = [&](const std::string& name) {
     return file.kind("/transient/" + name) == results::ResultFile::Kind::numbers;
   };
   std::vector<transient::Place> probes;
   while (there("P_" + std::to_string(probes.size() + 1))) probes.emplace_back();
   std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
-  for (StepRow& row : rows) row.probed.resize(probes.size());
-  for (const Column<StepRow>& column :
-       step_columns({.body = there("velocity"), .oil = there(id::oil_in), .newton = there("newton_steps")}, probes)) {
+  for (StepRow& row : rows) {
+    row.probed.resize(probes.size());
+    row.measured.resize(added.size());
+  }
+  for (const Column<StepRow>& column : step_columns(
+           {.body = there("velocity"), .oil = there(id::oil_in), .newton = there("newton_steps")}, probes, added)) {
     const std::string name = "/transient/" + column.name;
-    const std::vector<double> values = credible(file, name);
+    const bool may_be_unknown = std::ranges::find(added, column.name) != added.end();
+    const std::vector<double> values = may_be_unknown ? known_or_credible(file, name) : credible(file, name);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
     for (std::size_t k = 0; k < values.size(); ++k)
       column.set(rows[k], column.whole ? Value(whole(file.path(), name, values[k])) : Value(values[k]));
@@ -146,12 +165,13 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
+  const InSteps added = in_steps_of(input);
   content.tables.push_back(table_of("transient", "every accepted time step; ended " + how_it_ended(result.report),
                                     step_columns({.body = march.conditions.body.has_value(),
                                                   .oil = march.conditions.conserves_mass,
                                                   .line = input.scene.grid.line,
                                                   .newton = input.scene.grid.line},
-                                                 march.parameters.probes),
+                                                 march.parameters.probes, added.numbers),
                                     result.rows));
   content.frames.group = "/transient/frames";
   for (const transient::Frame& frame : result.frames) content.frames.times.push_back(frame.T);
@@ -166,6 +186,12 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   if (kept("H")) series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
   if (march.conditions.conserves_mass)
     series("theta", "-", "oil content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
+  for (std::size_t k = 0; k < added.fields.size(); ++k) {
+    const results::NamedField& field = added.fields[k];
+    results::Series made{field.name, field.unit, field.meaning, {}};
+    for (const transient::Frame& frame : result.frames) made.fields.push_back(&frame.measured.at(k));
+    content.frames.series.push_back(std::move(made));
+  }
   // Up to here the summary is that of the steady start; "converged" in a file means the whole run in time.
   if (const std::string why = why_incomplete(result); !why.empty())
     for (results::Quantity& one : content.summary) {
@@ -177,11 +203,15 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 
-TransientResult read_transient(const results::ResultFile& file) {
+void require_checkpoint(const results::ResultFile& file) {
+  if (file.kind("/checkpoint") != results::ResultFile::Kind::group) throw core::InputError(why_no_checkpoint(file));
+}
+
+TransientResult read_transient(const results::ResultFile& file, const Case& input) {
   using Kind = results::ResultFile::Kind;
-  if (file.kind("/checkpoint") != Kind::group) throw core::InputError(why_no_checkpoint(file));
+  const InSteps added = in_steps_of(input);
   TransientResult result;
-  result.rows = read_rows(file);
+  result.rows = read_rows(file, added.numbers);
   const auto number = [&](const char* name) {
     const std::vector<double> values = credible(file, std::string("/checkpoint/") + name);
     if (values.size() != 1) damaged(file.path(), name);
@@ -197,16 +227,18 @@ TransientResult read_transient(const results::ResultFile& file) {
                                             has_weight ? number("weight") : 1.0,
                                             credible(file, "/checkpoint/y"),
                                             credible(file, "/checkpoint/yp")};
-  const auto field = [&](const char* name, std::size_t k) {
-    const std::string path = std::string("/transient/frames/") + name;
+  const auto field = [&](const std::string& name, std::size_t k) {
+    const std::string path = "/transient/frames/" + name;
     if (file.kind(path) != Kind::numbers) return core::Field();
     const results::Array array = file.frame(path, k);
     if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
       damaged(file.path(), path + " contains something else than a field");
     return results::field_of(array);
   };
-  for (std::size_t k = 0; k < times.size(); ++k)
+  for (std::size_t k = 0; k < times.size(); ++k) {
     result.frames.push_back({times[k], field("P", k), field("H", k), field("theta", k)});
+    for (const results::NamedField& one : added.fields) result.frames.back().measured.push_back(field(one.name, k));
+  }
   return result;
 }
 

@@ -136,6 +136,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
   double saved = core::now();
+  const InSteps added = in_steps_of(input, &result.seconds);
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
@@ -147,6 +148,8 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
             if (settings.frame) return settings.frame(std::move(frame));
             result.frames.push_back(std::move(frame));
           },
+      .measure = added.measure,
+      .measure_fields = added.measure_fields,
       .wants_checkpoint = [&] { return settings.save && core::now() - saved > march.seconds_between_checkpoints; },
       .checkpoint =
           [&](transient::Checkpoint&& checkpoint) {

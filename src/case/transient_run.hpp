@@ -1,5 +1,6 @@
 #pragma once
 // Computes a run in time and collects its results: numbers at every step, and fields at the times asked for.
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct TransientResult {
   std::vector<transient::StepRow> rows{};
   std::vector<transient::Frame> frames{};
   transient::MarchReport report{};
+  std::map<std::string, double> seconds{};  ///< of the effects that compute at steps, by name; part of report.seconds
   std::optional<transient::Checkpoint> checkpoint{};  ///< where an incomplete run continues; else empty
 };
 
@@ -41,9 +43,11 @@ std::string transient_summary(const Case& input, const TransientResult& result);
 /// Adds /transient, and /checkpoint if there is one, to the content of a result file. The content points into `result`.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);
 
-/// Reads a run back from a result file. errors: core::InputError if the file has no checkpoint; core::FileError if a
-/// number cannot come from this program.
-TransientResult read_transient(const results::ResultFile& file);
+/// errors: core::InputError if the file has no checkpoint from which the run can continue.
+void require_checkpoint(const results::ResultFile& file);
+/// Reads the run of a case back from its result file, which has a checkpoint. errors: core::FileError if a number
+/// cannot come from this program.
+TransientResult read_transient(const results::ResultFile& file, const Case& input);
 
 /// Checks that an earlier run can be continued as this case. in: path: name of its file. errors: core::FileError.
 void check_fits(const TransientResult& before, const Case& input, const std::string& path);

@@ -86,7 +86,7 @@ int run(const Arguments& arguments) {
 int resume(const Arguments& arguments) {
   const std::string path = arguments.operands[0];
   const results::ResultFile file(path);
-  TransientResult before = read_transient(file);
+  require_checkpoint(file);
   const deck::Document document = deck::parse(file.text("/deck"), path + " /deck");
   deck::Deck understood = deck::validate(document, {}, catalogue());
   if (file.kind("/provenance/deck_folder") != results::ResultFile::Kind::missing)
@@ -94,6 +94,7 @@ int resume(const Arguments& arguments) {
   understood.folders.push_back(std::filesystem::absolute(path).parent_path().string());
   const Case input = case_of(std::move(understood), path, requested_threads(arguments));
   if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is not that of a run in time");
+  TransientResult before = read_transient(file, input);
   check_fits(before, input, path);
   check_same_files(file, input);
   // The result is both read and written: it is continued in place.

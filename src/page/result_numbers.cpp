@@ -104,9 +104,10 @@ std::string numbers_in_time(const ResultView& view) {
   if (times.empty()) return "";
   HtmlTable table{"In time", {"", "least", "at time", "highest", "at time", "at the end"}, {}, "numbers"};
   const std::string in_time = with_indices(unit_words(view.source.described(in_steps(id::time)).unit));
-  for (const std::string name : {id::Hc, id::Hm, id::P_max, id::load}) {
+  for (const std::string name : {id::Hc, id::Hm, id::P_max, id::load, id::mu}) {
     const std::vector<double> values = column_in_time(view, name);
-    if (values.size() != times.size()) continue;
+    if (values.size() != times.size() || std::ranges::any_of(values, [](double one) { return std::isnan(one); }))
+      continue;
     if (name == id::load && std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end()) continue;
     const auto low = std::ranges::min_element(values), high = std::ranges::max_element(values);
     const std::string unit = with_indices(unit_words(view.source.described(in_steps(name)).unit));

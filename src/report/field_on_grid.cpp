@@ -40,9 +40,8 @@ std::vector<double> spaced(double from, double to, std::size_t count) {
 }
 
 FieldOnGrid read_field(const ResultSource& source, const std::string& name, std::size_t step) {
-  // A plane has the axes x and y; a section in depth has x and z.
   const bool layers = source.file.dims(name).size() == 3;
-  const std::string rows = !layers && source.file.axis(name, "z") != "" ? "z" : "y";
+  const std::string rows = source.file.rows(name);
   FieldOnGrid read{layers ? source.frame(name, step) : source.numbers(name),
                    source.numbers(source.file.axis(name, "x")), source.numbers(source.file.axis(name, rows)), rows};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||

@@ -42,8 +42,11 @@ std::optional<SiScales> scales_of(const results::ResultFile& file) {
     const bool known = file.kind(path) == results::ResultFile::Kind::numbers && file.dims(path).empty();
     return known ? file.numbers(path).values[0] : std::nan("");
   };
-  const SiScales si{
-      .a = scale(id::a), .h = scale(id::h), .p_h = scale(id::p_h), .time = 2.0 * scale(id::a) / scale(id::u_s)};
+  const SiScales si{.a = scale(id::a),
+                    .h = scale(id::h),
+                    .p_h = scale(id::p_h),
+                    .time = 2.0 * scale(id::a) / scale(id::u_s),
+                    .load = scale(id::load)};
   return std::isnan(si.a) ? std::nullopt : std::optional(si);
 }
 

@@ -79,124 +79,122 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   return sum;
 }
 
-/// Polar coordinates in which the undeformed gap is XX t^2: X = t cos(psi) - shear Y, Y = t scale sin(psi).
-class PointQuadrature {
- public:
-  PointQuadrature(const Film& film, const Parameters& parameters, const std::vector<double>& film_at_end)
-      : film_(film), parameters_(parameters), film_at_end_(film_at_end), outside_(*film.outside), grid_(film.grid) {
-    const core::QuadraticForm& gap = outside_.gap;
-    shear_ = 0.5 * gap.XY / gap.XX;
-    scale_ = std::sqrt(gap.XX / (gap.YY - 0.25 * gap.XY * gap.XY / gap.XX));
-    rupture_[0] = rupture(pi, 0.0);
-    rupture_[1] = rupture(pi, 2.0 * pi);
-  }
-
-  Beyond integral() const {
-    static const auto around = gauss_points<10>();
-    static const auto along = gauss_points<10>();
-    const std::vector<double> ends = panels();
-    Beyond sum;
-    for (std::size_t k = 1; k < ends.size(); ++k)
-      for (const auto& [part, angle_weight] : around) {
-        const double width = ends[k] - ends[k - 1], psi = ends[k - 1] + width * part;
-        const Direction to = direction(psi);
-        const double nearest = boundary(to), length = std::log(parameters_.meniscus / nearest);
-        if (length <= 0.0) continue;
-        const bool wet = psi > rupture_[0] && psi < rupture_[1];
-        for (const auto& [share, weight] : along) {
-          const double t = nearest * std::exp(length * share);
-          add(to, t, nearest, wet, width * angle_weight * length * weight * t * t * scale_, sum);
-        }
-      }
-    sum.sliding += sum.cavitated;
-    return sum;
-  }
-
- private:
-  struct Direction {
-    double X, Y;  // at t = 1
-  };
-  Direction direction(double psi) const {
-    const double Y = scale_ * std::sin(psi);
-    return {std::cos(psi) - shear_ * Y, Y};
-  }
-  double boundary(const Direction& to) const {
-    const double to_x = (to.X > 0.0 ? grid_.X_b : grid_.X_a) / to.X;
-    const double to_y = (to.Y > 0.0 ? grid_.Y_b : grid_.Y_a) / to.Y;
-    return std::min(to_x, to_y);
-  }
-  double film(double X, double Y) const {
-    return outside_.state.H00 + outside_.gap.at(X, Y) + outside_.deformation / std::hypot(X, Y) +
-           outside_.field.by_coatings(std::hypot(X, Y));
-  }
-  double P(double X, double Y) const { return outside_.field.P(outside_.field.at(X, Y), film(X, Y), outside_.state); }
-
-  // Angle of rupture between a direction with a full film and a cavitated one, by bisection.
-  double rupture(double wet, double dry) const {
-    for (int round = 0; round < 50; ++round) {
-      const double between = 0.5 * (wet + dry);
-      const Direction to = direction(between);
-      (outside_.field.at(to.X, to.Y).wedge > 0.0 ? wet : dry) = between;
-    }
-    return 0.5 * (wet + dry);
-  }
-
-  // Ends of the angular panels: corners of the domain, where the distance to the boundary has a kink, the axes and the
-  // angles of rupture. Each panel is then halved.
-  std::vector<double> panels() const {
-    std::vector<double> ends{0.0, 2.0 * pi, rupture_[0], rupture_[1]};
-    for (int k = 1; k < 4; ++k) ends.push_back(0.5 * k * pi);
-    for (const double X : {grid_.X_a, grid_.X_b})
-      for (const double Y : {grid_.Y_a, grid_.Y_b}) {
-        const double psi = std::atan2(Y / scale_, X + shear_ * Y);
-        ends.push_back(psi < 0.0 ? psi + 2.0 * pi : psi);
-      }
-    std::ranges::sort(ends);
-    for (std::size_t k = ends.size(); --k > 0;)
-      ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(k), 0.5 * (ends[k - 1] + ends[k]));
-    return ends;
-  }
-
-  int line_at(double Y) const {
-    return std::clamp(static_cast<int>(std::lround((Y - grid_.Y_a) / grid_.hy())), 0, grid_.ny);
-  }
-
-  // Film at which the pressure ended on the line of constant Y.
-  double film_at_end(double Y) const {
-    const Direction to = direction(rupture_[Y > 0.0 ? 0 : 1]);
-    const double X = to.X * Y / to.Y;
-    const bool inside = X > grid_.X_a && X < grid_.X_b && Y > grid_.Y_a && Y < grid_.Y_b;
-    return inside ? film_at_end_[static_cast<std::size_t>(line_at(Y))] : film(X, Y);
-  }
-
-  // in: wet, true if the film in this direction is full; weight, the area.
-  void add(const Direction& to, double t, double nearest, bool wet, double weight, Beyond& sum) const {
-    const double X = t * to.X, Y = t * to.Y, H = film(X, Y), returned = nearest / t;
-    double warmth = 1.0;
-    if (film_.I0) {
-      const int i = std::clamp(static_cast<int>(std::lround((nearest * to.X - grid_.X_a) / grid_.hx())), 0, grid_.nx);
-      warmth = std::exp(std::log((*film_.I0)(i, line_at(nearest * to.Y))) * returned * returned);
-    }
-    if (!wet) {
-      const double share = filled(parameters_.cavitated, H, film_at_end(Y));
-      if (share > 0.0) sum.cavitated += weight * share * sliding_stress(film_, parameters_, 0.0, H, warmth);
-      return;
-    }
-    sum.sliding += weight * sliding_stress(film_, parameters_, P(X, Y), H, warmth);
-    const double step = 1e-4 * std::hypot(X, Y);
-    sum.rolling += weight * 0.5 * parameters_.slope * H * (P(X + step, Y) - P(X - step, Y)) / (2.0 * step);
-  }
-
-  const Film& film_;
-  const Parameters& parameters_;
-  const std::vector<double>& film_at_end_;
-  const Outside& outside_;
-  const core::Grid& grid_;
-  double shear_ = 0.0, scale_ = 1.0;
-  double rupture_[2] = {0.0, 0.0};  // the film is full for psi between these angles
-};
-
 }  // namespace
+
+PointQuadrature::PointQuadrature(const reynolds::FarField& field, const core::QuadraticForm& gap,
+                                 const core::Grid& domain, double meniscus)
+    : field_(field), gap_(gap), grid_(domain) {
+  shear_ = 0.5 * gap.XY / gap.XX;
+  scale_ = std::sqrt(gap.XX / (gap.YY - 0.25 * gap.XY * gap.XY / gap.XX));
+  rupture_[0] = rupture(pi, 0.0);
+  rupture_[1] = rupture(pi, 2.0 * pi);
+  static const auto around = gauss_points<10>();
+  static const auto along = gauss_points<10>();
+  const std::vector<double> ends = panels();
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    for (const auto& [part, angle_weight] : around) {
+      const double width = ends[k] - ends[k - 1], psi = ends[k - 1] + width * part;
+      const Direction to = direction(psi);
+      const double nearest = boundary(to), length = std::log(meniscus / nearest);
+      if (length <= 0.0) continue;
+      const bool wet = psi > rupture_[0] && psi < rupture_[1];
+      for (const auto& [share, weight] : along) {
+        const double t = nearest * std::exp(length * share);
+        add(to, t, nearest, wet, width * angle_weight * length * weight * t * t * scale_);
+      }
+    }
+}
+
+Beyond PointQuadrature::integral(const Film& film, const Parameters& parameters,
+                                 const std::vector<double>& film_at_end) const {
+  const Outside& outside = *film.outside;
+  const auto gap = [&](const Place& at) {
+    return outside.state.H00 + at.gap + outside.deformation / at.r + outside.state.load * at.coatings;
+  };
+  const auto pressure = [&](const Place& at) { return field_.P(at.point, gap(at), outside.state); };
+  Beyond sum;
+  for (const Station& one : stations_) {
+    const double H = gap(one.here);
+    const double warmth = film.I0 ? std::exp(std::log((*film.I0)(one.i, one.j)) * one.returned * one.returned) : 1.0;
+    if (!one.wet) {
+      const double end = one.inside ? film_at_end[static_cast<std::size_t>(one.line)] : gap(one.ruptured);
+      const double share = filled(parameters.cavitated, H, end);
+      if (share > 0.0) sum.cavitated += one.weight * share * sliding_stress(film, parameters, 0.0, H, warmth);
+      continue;
+    }
+    sum.sliding += one.weight * sliding_stress(film, parameters, pressure(one.here), H, warmth);
+    sum.rolling +=
+        one.weight * 0.5 * parameters.slope * H * (pressure(one.ahead) - pressure(one.behind)) / (2.0 * one.step);
+  }
+  sum.sliding += sum.cavitated;
+  return sum;
+}
+
+PointQuadrature::Direction PointQuadrature::direction(double psi) const {
+  const double Y = scale_ * std::sin(psi);
+  return {std::cos(psi) - shear_ * Y, Y};
+}
+
+double PointQuadrature::boundary(const Direction& to) const {
+  const double to_x = (to.X > 0.0 ? grid_.X_b : grid_.X_a) / to.X;
+  const double to_y = (to.Y > 0.0 ? grid_.Y_b : grid_.Y_a) / to.Y;
+  return std::min(to_x, to_y);
+}
+
+// Angle of rupture between a direction with a full film and a cavitated one, by bisection.
+double PointQuadrature::rupture(double wet, double dry) const {
+  for (int round = 0; round < 50; ++round) {
+    const double between = 0.5 * (wet + dry);
+    const Direction to = direction(between);
+    (field_.at(to.X, to.Y).wedge > 0.0 ? wet : dry) = between;
+  }
+  return 0.5 * (wet + dry);
+}
+
+// Ends of the angular panels: corners of the domain, where the distance to the boundary has a kink, the axes and the
+// angles of rupture. Each panel is then halved.
+std::vector<double> PointQuadrature::panels() const {
+  std::vector<double> ends{0.0, 2.0 * pi, rupture_[0], rupture_[1]};
+  for (int k = 1; k < 4; ++k) ends.push_back(0.5 * k * pi);
+  for (const double X : {grid_.X_a, grid_.X_b})
+    for (const double Y : {grid_.Y_a, grid_.Y_b}) {
+      const double psi = std::atan2(Y / scale_, X + shear_ * Y);
+      ends.push_back(psi < 0.0 ? psi + 2.0 * pi : psi);
+    }
+  std::ranges::sort(ends);
+  for (std::size_t k = ends.size(); --k > 0;)
+    ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(k), 0.5 * (ends[k - 1] + ends[k]));
+  return ends;
+}
+
+int PointQuadrature::line_at(double Y) const {
+  return std::clamp(static_cast<int>(std::lround((Y - grid_.Y_a) / grid_.hy())), 0, grid_.ny);
+}
+
+PointQuadrature::Place PointQuadrature::place(double X, double Y) const {
+  const double r = std::hypot(X, Y);
+  return {field_.at(X, Y), gap_.at(X, Y), r, field_.by_coatings(r)};
+}
+
+// in: wet, true if the film of a steady contact is full in this direction; weight, the area.
+void PointQuadrature::add(const Direction& to, double t, double nearest, bool wet, double weight) {
+  const double X = t * to.X, Y = t * to.Y;
+  Station one{.here = place(X, Y), .weight = weight, .returned = nearest / t, .wet = wet};
+  one.i = std::clamp(static_cast<int>(std::lround((nearest * to.X - grid_.X_a) / grid_.hx())), 0, grid_.nx);
+  one.j = line_at(nearest * to.Y);
+  if (wet) {
+    one.step = 1e-4 * std::hypot(X, Y);
+    one.ahead = place(X + one.step, Y);
+    one.behind = place(X - one.step, Y);
+  } else {
+    const Direction ruptured = direction(rupture_[Y > 0.0 ? 0 : 1]);
+    const double X_ruptured = ruptured.X * Y / ruptured.Y;
+    one.inside = X_ruptured > grid_.X_a && X_ruptured < grid_.X_b && Y > grid_.Y_a && Y < grid_.Y_b;
+    one.line = line_at(Y);
+    one.ruptured = place(X_ruptured, Y);
+  }
+  stations_.push_back(one);
+}
 
 double filled(Cavitated cavitated, double H, double film_at_end) {
   if (cavitated == Cavitated::none) return 0.0;
@@ -206,7 +204,10 @@ double filled(Cavitated cavitated, double H, double film_at_end) {
 
 Beyond beyond(const Film& film, const Parameters& parameters, const std::vector<double>& film_at_end) {
   if (film.grid.line) return beyond_line(film, parameters, film_at_end[1]);
-  return PointQuadrature(film, parameters, film_at_end).integral();
+  if (film.outside->quadrature) return film.outside->quadrature->integral(film, parameters, film_at_end);
+  const Outside& outside = *film.outside;
+  return PointQuadrature(outside.field, outside.gap, film.grid, parameters.meniscus)
+      .integral(film, parameters, film_at_end);
 }
 
 }  // namespace ehl::friction

@@ -29,25 +29,57 @@ double share_of_oil(const Film& film, double meniscus, double X, double Y) {
   return std::clamp(0.5 + (there - gap) / std::max(width, 1e-300), 0.0, 1.0);
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// True if the whole domain lies inside the meniscus: the gap is convex.
+bool oil_reaches_corners(const Film& film, double meniscus) {
+  for (const double X : {film.grid.X_a, film.grid.X_b})
+    for (const double Y : {film.grid.Y_a, film.grid.Y_b})
+      if (share_of_oil(film, meniscus, 1.01 * X, 1.01 * Y) < 1.0) return false;
+  return true;
+}
+
 // dP/dX at a node.
 double slope_of_P(const Film& film, int i, int j) {
   const int west = std::max(i - 1, 0), east = std::min(i + 1, film.grid.nx);
   return (film.P(east, j) - film.P(west, j)) / ((east - west) * film.grid.hx());
 }
 
-// 1/eta_y at all nodes of one column (constant X).
-struct Fluidity {
-  explicit Fluidity(std::size_t nodes) : at_rest(nodes), along(nodes), across(nodes) {}
-  void evaluate(const Film& film, int i) {
-    rheology::fluidity(film.viscosity, film.P.station(i), at_rest);
-    if (film.I0)
-      for (std::size_t j = 0; j < at_rest.size(); ++j) at_rest[j] *= (*film.I0)(i, static_cast<int>(j));
-    if (film.thinning) rheology::film_fluidity(*film.thinning, film.H.station(i), at_rest, along, across);
+// 1/eta_y, evaluated for a few columns (constant X) at once where these are short, as in a line contact.
+class Fluidity {
+ public:
+  explicit Fluidity(const Film& film)
+      : film_(film), nodes_(film.grid.nodes_y()), columns_(std::max(1, least_nodes / nodes_)) {
+    for (std::vector<double>* list : {&P_, &H_, &at_rest_, &along_, &across_})
+      list->resize(static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(columns_));
   }
-  double operator()(const Film& film, int j) const {
-    return (film.thinning ? across : at_rest)[static_cast<std::size_t>(j)];
+  double operator()(int i, int j) {
+    if (i % columns_ == 0 && j == 0) evaluate(i);
+    const int k = (i % columns_) * nodes_ + j;
+    return (film_.thinning ? across_ : at_rest_)[static_cast<std::size_t>(k)];
   }
-  std::vector<double> at_rest, along, across;
+
+ private:
+  static constexpr int least_nodes = 64;
+
+  void evaluate(int first) {
+    for (int i = first; i < std::min(first + columns_, film_.grid.nodes_x()); ++i) {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i - first) * nodes_;
+      std::ranges::copy(film_.P.station(i), P_.begin() + at);
+      std::ranges::copy(film_.H.station(i), H_.begin() + at);
+    }
+    rheology::fluidity(film_.viscosity, P_, at_rest_);
+    if (film_.I0)
+      for (std::size_t k = 0; k < at_rest_.size(); ++k) {
+        const int i = first + static_cast<int>(k) / nodes_;
+        if (i <= film_.grid.nx) at_rest_[k] *= (*film_.I0)(i, static_cast<int>(k) % nodes_);
+      }
+    if (film_.thinning) rheology::film_fluidity(*film_.thinning, H_, at_rest_, along_, across_);
+  }
+
+  const Film& film_;
+  int nodes_, columns_;
+  std::vector<double> P_{}, H_{}, at_rest_{}, along_{}, across_{};
 };
 
 // Integral of -(h/2) dp/dy, in p_h times cells.
@@ -66,6 +98,7 @@ double side_force(const Film& film, double slope) {
 Friction friction_of(const Film& film, const Parameters& parameters) {
   const double began = core::now();
   const core::Grid& grid = film.grid;
+  const double meniscus = oil_reaches_corners(film, parameters.meniscus) ? infinite : parameters.meniscus;
   Friction result{.parameters = parameters,
                   .thinned = film.thinning.has_value(),
                   .line = grid.line,
@@ -73,20 +106,20 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
   if (parameters.keep_tau1) result.tau1 = core::Field(grid);
   if (parameters.keep_tau2) result.tau2 = core::Field(grid);
   const auto nodes = static_cast<std::size_t>(grid.nodes_y());
-  Fluidity fluidity(nodes);
+  Fluidity fluidity(film);
   std::vector<double> film_at_end(nodes, 0.0);
   double load_inside = 0.0, limited_load = 0.0, unlikely_load = 0.0;
   for (int i = 0; i <= grid.nx; ++i) {
-    fluidity.evaluate(film, i);
     for (int j = 0; j <= grid.ny; ++j) {
       const double P = film.P(i, j), H = film.H(i, j), w = weight(grid, i, j);
       const bool wet = P > 0.0;
       double& end = film_at_end[static_cast<std::size_t>(j)];
       if (wet) end = H;
-      const double oil = share_of_oil(film, parameters.meniscus, grid.X(i), grid.Y(j));
+      const double oil = share_of_oil(film, meniscus, grid.X(i), grid.Y(j));
       const bool only_layers = film.starved && end == 0.0 && parameters.cavitated != Cavitated::full;
       const double share = wet ? 1.0 : only_layers ? 0.0 : filled(parameters.cavitated, H, end);
-      double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * fluidity(film, j)) : 0.0;
+      const double at_node = fluidity(i, j);
+      double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * at_node) : 0.0;
       if (wet && film.less_tau) tau *= (*film.less_tau)(i, j);
       if (wet) {
         load_inside += w * P;
@@ -104,7 +137,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       if (parameters.keep_tau1) result.tau1(i, j) = -tau - rolling;
       if (parameters.keep_tau2) result.tau2(i, j) = tau - rolling;
       if (i < grid.nx) {
-        const double part = share_of_oil(film, parameters.meniscus, grid.X(i) + 0.5 * grid.hx(), grid.Y(j)) * w /
+        const double part = share_of_oil(film, meniscus, grid.X(i) + 0.5 * grid.hx(), grid.Y(j)) * w /
                             (i == 0 ? 0.5 : 1.0) * 0.25 * parameters.slope * (H + film.H(i + 1, j)) *
                             (film.P(i + 1, j) - P) / grid.hx();
         result.rolling += part;

@@ -35,6 +35,8 @@ inline constexpr double largest_limit = 0.12;
 struct Parameters {
   double stress = 0.0;  ///< eta_0 (u1 - u2) R/(a^2 p_h): tau_m/p_h where H = 1 and eta_bar = 1; signed
   double slope = 0.0;   ///< a/R
+  /// k of the scene's shear thinning at the time of `stress`; NaN: that of the scene.
+  double thinning_k = std::numeric_limits<double>::quiet_NaN();
   Cavitated cavitated = Cavitated::striated;
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda: limiting shear stress over pressure
   bool keep_tau1 = false, keep_tau2 = false;

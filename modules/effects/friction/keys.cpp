@@ -14,7 +14,8 @@ deck::Records<Parameters> records() {
       key("cavitated", &Parameters::cavitated,
           {{"none", Cavitated::none}, {"striated", Cavitated::striated}, {"full", Cavitated::full}},
           example("striated"),
-          "Computes the friction, and states what the cavitated region adds to it. none: nothing. striated: oil "
+          "Computes the friction, with [transient] at every step, and states what the cavitated region adds to it. "
+          "none: nothing. striated: oil "
           "streamers that carry the oil which left the pressurized film; the rest of the width is gas. full: an oil "
           "film that fills the whole gap.",
           source("modules/effects/friction/README.md")),
@@ -34,7 +35,7 @@ deck::Records<Parameters> records() {
           "Distance of the inlet meniscus from the centre of the contact, for a contact in SI."),
       key("fields", deck::Type::words, words({"tau1", "tau2"}), example("tau1, tau2"),
           "Shear stresses stored as fields: tau1, from the film on surface 1, and tau2, on surface 2, positive along "
-          "+x.")};
+          "+x. With [transient] also at every stored time.")};
 }
 
 }  // namespace

@@ -35,29 +35,45 @@ reynolds::FarState state_upstream(const reynolds::FarField& field, const steady:
 
 bool oil_outside(const steady::Scene& scene) { return scene.far_field && !scene.supply; }
 
-Friction friction_of(const steady::Scene& scene, const steady::SolvedFilm& film, Parameters parameters) {
+Surroundings::Surroundings(const steady::Scene& scene, const reynolds::FarField* far_field, const core::Grid& domain,
+                           double meniscus)
+    : far_field_(scene.supply ? nullptr : far_field) {
+  if (far_field_ == nullptr) return;
+  deformation_ = steady::geometry_of(scene).kernel.factor * contact::load(scene.contact.shape);
+  if (!domain.line) quadrature_.emplace(*far_field_, contact::gap(scene.contact.shape), domain, meniscus);
+}
+
+Friction friction_at(const steady::Scene& scene, const steady::SolvedFilm& film, const Surroundings& around,
+                     const reynolds::FarState& state, Parameters parameters) {
+  std::optional<rheology::ShearThinning> thinning = scene.thinning;
+  if (thinning && !std::isnan(parameters.thinning_k)) thinning->k = parameters.thinning_k;
   Film of{.grid = film.grid,
           .P = film.P,
           .H = film.H,
           .viscosity = scene.viscosity,
-          .thinning = scene.thinning,
+          .thinning = thinning,
           .I0 = film.I0,
           .less_tau = film.less_tau,
           .load = contact::load(scene.contact.shape),
           .gap = contact::gap(scene.contact.shape),
           .lambda = scene.lambda,
           .starved = bool(scene.supply)};
-  if (!oil_outside(scene)) {
+  if (around.far_field() == nullptr) {
     if (!scene.supply && std::isinf(parameters.meniscus))
       parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.contact.shape).X);
     return friction_of(of, parameters);
   }
-  const double deformation = steady::geometry_of(scene).kernel.factor * of.load;
-  const reynolds::FarField field = steady::far_field(scene, of.load, film.grid);
-  Outside outside{field, of.gap, deformation, {.H00 = film.H00}};
-  if (film.grid.line) outside.state = state_upstream(field, scene, film);
+  const Outside outside{*around.far_field(), of.gap, around.deformation() * state.load, state, around.quadrature()};
   of.outside = &outside;
   return friction_of(of, parameters);
+}
+
+Friction friction_of(const steady::Scene& scene, const steady::SolvedFilm& film, Parameters parameters) {
+  if (!oil_outside(scene)) return friction_at(scene, film, {}, {}, parameters);
+  const reynolds::FarField field = steady::far_field(scene, contact::load(scene.contact.shape), film.grid);
+  const reynolds::FarState state =
+      film.grid.line ? state_upstream(field, scene, film) : reynolds::FarState{.H00 = film.H00};
+  return friction_at(scene, film, {scene, &field, film.grid, parameters.meniscus}, state, parameters);
 }
 
 }  // namespace ehl::friction

@@ -24,7 +24,8 @@ deck::Records<Parameters> records() {
   return {
       key("depth", &Parameters::depth, Range{0.01, 1000.0}, example("2"),
           "Depth below the contact down to which the stresses are computed, in Hertz radii. Without this key there "
-          "are no stresses.",
+          "are no stresses. With [transient] they are computed at the stored times, and for the material of both bodies "
+          "what it meets during the over-rolling.",
           remedy("in Hertz radii, e.g. 2")),
       key("planes", &Parameters::planes, Range{3, 1000}, own_default,
           "Number n of planes of constant depth, including the surface and the deepest plane. Plane k = 0..n-1 lies "
@@ -38,11 +39,12 @@ deck::Records<Parameters> records() {
       key("friction", Range{-10.0, 10.0}, example("-0.05"),
           otherwise("with [friction]: the computed force on surface 1 over the load; else 0"),
           "Shear traction on the surface of the body over the pressure, positive along +x. The stresses are those of "
-          "the pressure and of this traction.",
+          "the pressure and of this traction. With [transient] it acts on body 1, and its opposite on body 2.",
           source("modules/effects/subsurface/README.md")),
       key("fields", deck::Type::words, by_default("sigma_mises, tau_max"), words(names_of_quantities()),
           "Stresses stored in space: sigma_mises is von Mises' equivalent stress, tau_max the largest shear stress, "
-          "the others are the components. The section at y = 0 always has all of them.")};
+          "the others are the components. The section at y = 0 always has all of them. With [transient] these fields "
+          "are those of the start.")};
 }
 
 }  // namespace

@@ -148,6 +148,9 @@ const std::vector<Group>& registry() {
       for (const Effect& effect : effects())
         if (effect.numbers)
           if (Group group = effect.numbers(); has_columns(group) == in_tables) groups.push_back(std::move(group));
+    for (const Effect& effect : effects())
+      if (effect.more_numbers)
+        for (Group& group : effect.more_numbers()) groups.push_back(std::move(group));
     return groups;
   }();
   return all;

@@ -762,9 +762,9 @@ class SupplyKeys(TypedDict, total=False):
     default: none: no oil flows back; allowed: a number > 0 s"""
 
 class SubsurfaceKeys(TypedDict, total=False):
-    """Stresses in the body below the contact, from the steady pressure."""
+    """Stresses in the bodies below the contact; in time at the stored times, and what the material meets."""
     depth: float | str
-    """Depth below the contact down to which the stresses are computed, in Hertz radii. Without this key there are no stresses.
+    """Depth below the contact down to which the stresses are computed, in Hertz radii. Without this key there are no stresses. With [transient] they are computed at the stored times, and for the material of both bodies what it meets during the over-rolling.
     default: none; allowed: a number >= 0.01 and <= 1000"""
     planes: int
     """Number n of planes of constant depth, including the surface and the deepest plane. Plane k = 0..n-1 lies at (k/(n-1))^1.5 of the depth, so that planes are closer near the surface.
@@ -776,16 +776,16 @@ class SubsurfaceKeys(TypedDict, total=False):
     """Poisson's ratio of the body whose stresses are computed.
     default: nu1 of [contact], else 0.3; allowed: a number > -1 and <= 0.5"""
     friction: float | str
-    """Shear traction on the surface of the body over the pressure, positive along +x. The stresses are those of the pressure and of this traction.
+    """Shear traction on the surface of the body over the pressure, positive along +x. The stresses are those of the pressure and of this traction. With [transient] it acts on body 1, and its opposite on body 2.
     default: with [friction]: the computed force on surface 1 over the load; else 0; allowed: a number >= -10 and <= 10"""
     fields: Literal["sigma_mises", "tau_max", "sigma_x", "sigma_y", "sigma_z", "tau_xy", "tau_xz", "tau_yz"] | Sequence[Literal["sigma_mises", "tau_max", "sigma_x", "sigma_y", "sigma_z", "tau_xy", "tau_xz", "tau_yz"]]
-    """Stresses stored in space: sigma_mises is von Mises' equivalent stress, tau_max the largest shear stress, the others are the components. The section at y = 0 always has all of them.
+    """Stresses stored in space: sigma_mises is von Mises' equivalent stress, tau_max the largest shear stress, the others are the components. The section at y = 0 always has all of them. With [transient] these fields are those of the start.
     default: sigma_mises, tau_max; allowed: any of sigma_mises, tau_max, sigma_x, sigma_y, sigma_z, tau_xy, tau_xz, tau_yz"""
 
 class FrictionKeys(TypedDict, total=False):
-    """Friction on both surfaces, from the steady pressure and film."""
+    """Friction on both surfaces, from the pressure and the film; in time at every step."""
     cavitated: Literal["none", "striated", "full"]
-    """Computes the friction, and states what the cavitated region adds to it. none: nothing. striated: oil streamers that carry the oil which left the pressurized film; the rest of the width is gas. full: an oil film that fills the whole gap.
+    """Computes the friction, with [transient] at every step, and states what the cavitated region adds to it. none: nothing. striated: oil streamers that carry the oil which left the pressurized film; the rest of the width is gas. full: an oil film that fills the whole gap.
     default: none; allowed: one of none, striated, full"""
     limit: float | str
     """Limiting shear stress over pressure, Lambda: the shear stress of sliding stays below Lambda p. Without this key there is no limit. The limit changes the friction, not the film.
@@ -797,7 +797,7 @@ class FrictionKeys(TypedDict, total=False):
     """Distance of the inlet meniscus from the centre of the contact, for a contact in SI.
     default: none; allowed: a number > 0 m"""
     fields: Literal["tau1", "tau2"] | Sequence[Literal["tau1", "tau2"]]
-    """Shear stresses stored as fields: tau1, from the film on surface 1, and tau2, on surface 2, positive along +x.
+    """Shear stresses stored as fields: tau1, from the film on surface 1, and tau2, on surface 2, positive along +x. With [transient] also at every stored time.
     default: none; allowed: any of tau1, tau2"""
 
 class ThermalKeys(TypedDict, total=False):

@@ -1,0 +1,192 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "base/text_format.hpp"
+#include "case/friction_in_time.hpp"
+#include "case/numbers/records.hpp"
+#include "case/sliding_input.hpp"
+#include "effects/friction/of_scene.hpp"
+#include "steady/multigrid_solve.hpp"
+
+namespace ehl::program {
+
+namespace numbers {
+namespace {
+
+Group friction_step_numbers() {
+  Group group{.name = "friction in time", .home = "/transient"};
+  group.numbers = {number(id::unlikely_share, "-", "share of the load with a shear stress that no lubricant carries"),
+                   number(id::force_1, {"F_0", "F_0'"}, "force of the film on surface 1 along +x"),
+                   number(id::force_2, {"F_0", "F_0'"}, "force of the film on surface 2 along +x"),
+                   number(id::force_side, "F_0", "force of the film on each surface along +y"),
+                   number(id::friction_power, {"F_0 u_m", "F_0' u_m"},
+                          "power of the moving surfaces against the tractions, -(force_1 u1 + force_2 u2)",
+                          label("friction power"))};
+  return group;
+}
+
+}  // namespace
+}  // namespace numbers
+
+namespace {
+
+using friction::Friction;
+
+/// What lies around the domain, made at the first step.
+struct Around {
+  const friction::Surroundings& of(const Case& input, const transient::State& state) {
+    if (!made) made.emplace(input.scene, state.far_field, state.grid.domain, input.friction->meniscus);
+    return *made;
+  }
+  std::optional<friction::Surroundings> made{};
+};
+
+// The friction of a state; forces over the load of the contact. in: fields: keeps the tractions that the deck asks for.
+Friction friction_at(const Case& input, const transient::State& state, Around& around, bool fields) {
+  friction::Parameters parameters = *input.friction;
+  parameters.stress = stress_of_speed(input.physics) * (state.u1 - state.u2);
+  parameters.thinning_k = input.transient->conditions.thinning_k * std::abs(state.u1 - state.u2);
+  parameters.oblique = !input.scene.grid.line && state.grid.north == core::Edge::zero;
+  if (!fields) parameters.keep_tau1 = parameters.keep_tau2 = false;
+  const core::Field P = core::on_domain(state.grid, state.P), H = core::on_domain(state.grid, state.H);
+  return friction::friction_at(input.scene, {.grid = state.grid.domain, .P = P, .H = H, .H00 = state.far.H00},
+                               around.of(input, state), state.far, parameters);
+}
+
+// A column of the steps. in: the friction in units of the load of the contact, and the state.
+struct StepNumber {
+  std::string name{};
+  double (*value)(const Friction& friction, const transient::State& state) = nullptr;
+};
+
+// A part of the friction over the load that the film carries; NaN if it carries none.
+template <double Friction::*part>
+double coefficient(const Friction& friction, const transient::State& state) {
+  return state.carried > 0.0 ? friction.*part / state.carried : core::unknown;
+}
+
+bool is_oblique(const Case& input) {
+  return !input.scene.grid.line && !(steady::on_one_half(input.scene) && symmetric(input.transient->conditions));
+}
+
+std::vector<StepNumber> step_numbers(const Case& input) {
+  std::vector<StepNumber> list{{id::mu, coefficient<&Friction::sliding>},
+                               {id::mu_rolling, coefficient<&Friction::rolling>},
+                               {id::mu_1, coefficient<&Friction::on_1>},
+                               {id::mu_2, coefficient<&Friction::on_2>},
+                               {id::mu_cavitated, coefficient<&Friction::cavitated>}};
+  if (friction::oil_outside(input.scene)) {
+    list.push_back({id::mu_beyond, coefficient<&Friction::beyond>});
+    list.push_back({id::mu_rolling_beyond, coefficient<&Friction::rolling_beyond>});
+  }
+  if (is_oblique(input)) list.push_back({id::mu_side, coefficient<&Friction::side>});
+  list.push_back(
+      {id::largest_shear_stress, [](const Friction& f, const transient::State&) { return f.largest_stress; }});
+  list.push_back({id::limited_share, coefficient<&Friction::limited_share>});
+  list.push_back({id::unlikely_share, coefficient<&Friction::unlikely_share>});
+  list.push_back({id::slide_roll_ratio, [](const Friction&, const transient::State& at) { return at.u1 - at.u2; }});
+  list.push_back({id::force_1, [](const Friction& f, const transient::State&) { return f.on_1; }});
+  list.push_back({id::force_2, [](const Friction& f, const transient::State&) { return f.on_2; }});
+  if (is_oblique(input))
+    list.push_back({id::force_side, [](const Friction& f, const transient::State&) { return f.side; }});
+  list.push_back({id::friction_power,
+                  [](const Friction& f, const transient::State& at) { return -(f.on_1 * at.u1 + f.on_2 * at.u2); }});
+  return list;
+}
+
+results::NamedField traction(const char* number) {
+  return {std::string("tau") + number, "p_h",
+          std::string("shear stress of the film on surface ") + number + " along +x"};
+}
+
+// The mean over time, by the trapezoidal rule; NaN values are left out.
+double mean_over_time(const std::vector<double>& values, const std::vector<transient::StepRow>& rows) {
+  double sum = 0.0, time = 0.0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    if (std::isnan(values[k - 1] + values[k])) continue;
+    const double length = rows[k].T - rows[k - 1].T;
+    sum += 0.5 * length * (values[k - 1] + values[k]);
+    time += length;
+  }
+  return time > 0.0 ? sum / time : core::unknown;
+}
+
+}  // namespace
+
+InSteps friction_in_steps(const Case& input) {
+  InSteps made;
+  const std::vector<StepNumber> list = step_numbers(input);
+  for (const StepNumber& one : list) made.numbers.push_back(one.name);
+  const auto around = std::make_shared<Around>();
+  made.measure = [&input, list, around](const transient::State& state) {
+    const Friction found = friction_at(input, state, *around, false);
+    std::vector<double> values;
+    for (const StepNumber& one : list) values.push_back(one.value(found, state));
+    return values;
+  };
+  const bool keep1 = input.friction->keep_tau1, keep2 = input.friction->keep_tau2;
+  if (keep1) made.fields.push_back(traction("1"));
+  if (keep2) made.fields.push_back(traction("2"));
+  if (keep1 || keep2)
+    made.measure_fields = [&input, keep1, keep2, around](const transient::State& state) {
+      Friction found = friction_at(input, state, *around, true);
+      std::vector<core::Field> fields;
+      if (keep1) fields.push_back(std::move(found.tau1));
+      if (keep2) fields.push_back(std::move(found.tau2));
+      return fields;
+    };
+  return made;
+}
+
+std::vector<numbers::Group> friction_step_numbers() { return {numbers::friction_step_numbers()}; }
+
+void settle_sliding_at_start(Case& input) {
+  if (!input.transient) return;
+  const transient::Conditions& conditions = input.transient->conditions;
+  const double at_start = value(conditions.u1, 0.0) - value(conditions.u2, 0.0);
+  constexpr double rounding = 1e-9;
+  if (std::abs(at_start - input.physics.srr) <= rounding) return;
+  const deck::Part motion{input.deck, "motion"};
+  if (input.physics.si || motion.given("srr"))
+    deck::complain(input.deck, "transient", deck::given(input.deck, "transient", "u1") ? "u1" : "u2",
+                   fmt::format("gives u1 - u2 = {:.6g} u_m at time 0, but [motion] gives {:.6g} u_m, and the run "
+                               "starts from that steady contact: let both agree",
+                               at_start, input.physics.srr));
+  motion.follow("srr", at_start, "u1 - u2 of [transient] at time 0");
+  input.physics.srr = at_start;
+}
+
+std::string friction_in_time_summary(const Case& input, const Computed& computed) {
+  if (!computed.in_time) return {};
+  const TransientResult& run = *computed.in_time;
+  const std::optional<SiScales> si = si_scales(input.physics);
+  std::string text;
+  for (const auto& [name, words] : {std::pair(id::mu, "mu sliding"), std::pair(id::mu_rolling, "rolling"),
+                                    std::pair(id::friction_power, "power")}) {
+    std::vector<double> values = course_of(input, name, run);
+    const double mean = mean_over_time(values, run.rows);
+    std::erase_if(values, [](double one) { return std::isnan(one); });
+    if (values.empty()) continue;
+    const auto [low, high] = std::ranges::minmax(values);
+    const numbers::Number& number = numbers::number_of(name);
+    const std::string& own = number.unit.of(input.scene.grid.line);
+    const SiUnit unit = si ? si_unit(own, *si) : SiUnit{own, 1.0};
+    text += fmt::format("{}{} {:.5g} to {:.5g}, mean over time {:.5g}{}\n",
+                        text.empty() ? "             in time: " : "                      ", words, low * unit.factor,
+                        high * unit.factor, mean * unit.factor, unit.name == "-" ? "" : " " + unit.name);
+  }
+  return text;
+}
+
+core::Warnings friction_in_time_warnings(const Case& input, const TransientResult& result) {
+  const std::vector<double> shares = course_of(input, id::unlikely_share, result);
+  Friction worst{.parameters = *input.friction};
+  for (const double share : shares) worst.unlikely_share = std::fmax(worst.unlikely_share, share);
+  return friction::warnings(worst);
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,50 @@
+// What the effects of a case add to a run in time.
+#include <algorithm>
+#include <utility>
+
+#include "case/effects.hpp"
+#include "core/timer.hpp"
+
+namespace ehl::program {
+namespace {
+
+// Appends the results of an effect to those of the effects before it. in: seconds: counts its time; may be null.
+template <class Measure>
+void append(const Measure& own, double* seconds, Measure& all) {
+  if (!own) return;
+  all = [before = all, own, seconds](const transient::State& state) {
+    auto list = before ? before(state) : decltype(own(state)){};
+    const double began = core::now();
+    for (auto& one : own(state)) list.push_back(std::move(one));
+    if (seconds != nullptr) *seconds += core::now() - began;
+    return list;
+  };
+}
+
+}  // namespace
+
+InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds) {
+  InSteps all;
+  for (const Effect& effect : effects_of(input)) {
+    if (!effect.stages.in_steps) continue;
+    const InSteps own = effect.stages.in_steps(input);
+    double* of_effect = seconds == nullptr ? nullptr : &(*seconds)[effect.name];
+    all.numbers.insert(all.numbers.end(), own.numbers.begin(), own.numbers.end());
+    all.fields.insert(all.fields.end(), own.fields.begin(), own.fields.end());
+    append(own.measure, of_effect, all.measure);
+    append(own.measure_fields, of_effect, all.measure_fields);
+  }
+  return all;
+}
+
+std::vector<double> course_of(const Case& input, const std::string& number, const TransientResult& result) {
+  const std::vector<std::string> names = in_steps_of(input).numbers;
+  const auto found = std::ranges::find(names, number);
+  std::vector<double> values;
+  if (found == names.end()) return values;
+  for (const transient::StepRow& row : result.rows)
+    values.push_back(row.measured.at(static_cast<std::size_t>(found - names.begin())));
+  return values;
+}
+
+}  // namespace ehl::program
