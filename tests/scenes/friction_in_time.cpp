@@ -20,6 +20,7 @@ const std::string ellipse = "[contact]\nM = 50\nL = 10\nradius_ratio = 0.3\n" + 
 const std::string line =
     "[contact]\nkind = line\nM = 20\nL = 5\n" + oil + "[grid]\ncells = 256\n[multigrid]\ntolerance = 1e-10\n";
 const std::string rubs = "[friction]\ncavitated = striated\nlimit = 0.08\nfields = tau1, tau2\n";
+const std::string thins = "[shear]\nlaw = eyring\ntau_0 = 5e6\n";
 const std::string small = "[domain]\nfar_field = zero\nx_inlet = -2.5\nx_outlet = 1.5\ny_half = 2\n";
 
 std::string sliding(double srr) {
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_SUITE(test_friction_in_time)
 BOOST_AUTO_TEST_CASE(a_steady_run_keeps_the_steady_friction) {
   const support::TemporaryFolder folder;
   const std::string time = "[transient]\nend_time = 1\noutput_interval = 0.5\n";
-  for (const std::string& contact : {point, ellipse, line}) {
+  for (const std::string& contact : {point, ellipse, line, point + thins, line + thins}) {
     const results::ResultFile file = run(folder, "steady", contact + sliding(0.4) + rubs + time);
     for (const char* const name : {"mu", "mu_rolling", "mu_1", "mu_2"}) {
       const double steady = summary(file, name);
@@ -147,9 +148,9 @@ BOOST_AUTO_TEST_CASE(threads_and_resume_keep_the_columns) {
 BOOST_AUTO_TEST_CASE(what_is_refused) {
   const support::TemporaryFolder folder;
   const std::string time = "[transient]\nend_time = 1\n";
-  support::check_refused(folder, {"thinning in time",
-                                  point + time + sliding(0.5) + "[shear]\nlaw = eyring\ntau_0 = 5e6\n",
-                                  {"[shear] law", "[transient]"}});
+  support::check_refused(
+      folder,
+      {"thinning in time", point + time + sliding(0.5) + thins + "flow = on\n", {"[shear] flow", "flow = off"}});
   support::check_refused(folder, {"two values of the sliding",
                                   point + sliding(0.5) + rubs + time + "u1 = 0:1.1 1:1\n",
                                   {"[transient] u1", "[motion]"}});
