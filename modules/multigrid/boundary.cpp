@@ -143,7 +143,7 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
 }
 
 void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level) {
-  if (!level.grid.domain.line && !hierarchy.parameters.extend_boundary) {
+  if (!hierarchy.parameters.extend_boundary) {
     renew_boundary(hierarchy, level);
     return;
   }

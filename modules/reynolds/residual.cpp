@@ -4,25 +4,26 @@
 #include <array>
 #include <cmath>
 
-#include "core/store_lines.hpp"
+#include "core/simd.hpp"
 #include "reynolds/row.hpp"
 
 namespace ehl::reynolds {
 namespace {
 
-using core::Lanes;
-
-// plain: epsilon at the nodes and no third-order flux, known at compile time.
-template <bool plain>
+// plain: epsilon at the nodes and no third-order flux, known at compile time. Number: the lines that are taken
+// together.
+template <bool plain, class Number>
 void residual_by(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
                  core::Field& r) {
   const HalfInverseSquares half(grid);
   const Face face = plain ? Face::mean : state.face;
+  const WedgeWeights first = transport_weights(transport, 1, grid.hx()),
+                     inner = transport_weights(transport, 2, grid.hx());
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const WedgeWeights c = transport_weights(transport, i, grid.hx());
+    const WedgeWeights& c = i == 1 ? first : inner;
     const auto columns = [i](const core::Field& f) { return columns_at(i, [&f](int k) { return f.at_x(k); }); };
     const auto P = columns(state.P), H = columns(state.H), rho_bar = columns(state.rho_bar), eps = columns(state.eps);
     const double* eps_across = state.eps_across.at_x(i);
@@ -30,21 +31,21 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
     const double* theta_east = plain ? nullptr : state.third_order.at_x(i);
     const double* f = state.f.nodes_x() > 0 ? state.f.at_x(i) : nullptr;
     double* out = r.at_x(i);
-    for (int j = 1; j <= grid.last_line(); j += core::lanes) {
-      const auto at = [j](const double* column) { return core::load(column + j); };
+    for (int j = 1; j <= grid.last_line(); j += static_cast<int>(sizeof(Number) / sizeof(double))) {
+      const auto at = [j](const double* column) { return core::load<Number>(column + j); };
       const auto Q = [&](const double* rho, const double* film) { return at(rho) * at(film); };
-      const Columns<Lanes> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
-                                  Q(rho_bar.east, H.east)};
-      const Faces<Lanes> e =
-          faces<Lanes>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
-                       at(eps_across), half);
-      const Cross<Lanes> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
-      const auto w = wedge_weights<!plain, Lanes>(c, transport, grid.hx(), [&] {
-        return ThirdOrder<Lanes>{at(theta_west), at(theta_east)};
+      const Columns<Number> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
+                                   Q(rho_bar.east, H.east)};
+      const Faces<Number> e =
+          faces<Number>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
+                        at(eps_across), half);
+      const Cross<Number> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
+      const auto w = wedge_weights<!plain, Number>(c, transport, grid.hx(), [&] {
+        return ThirdOrder<Number>{at(theta_west), at(theta_east)};
       });
-      Lanes own = row_of(w, e).residual(around, pressures);
+      Number own = residual(w, e, around, pressures);
       if (f != nullptr) own += at(f);
-      core::store_lines(grid, r, i, j, own);
+      core::store(out + j, own);
     }
     out[0] = 0.0;
     out[grid.last_line() + 1] = 0.0;
@@ -52,13 +53,22 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
   }
 }
 
+template <bool plain>
+void residual_of(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
+                 core::Field& r) {
+  if (grid.last_line() == 1)  // a vector would have one line in it
+    residual_by<plain, double>(grid, state, transport, threads, r);
+  else
+    residual_by<plain, core::Lanes>(grid, state, transport, threads, r);
+}
+
 }  // namespace
 
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
   if (state.face == Face::mean && !third_order(transport.wedge))
-    residual_by<true>(grid, state, transport, threads, r);
+    residual_of<true>(grid, state, transport, threads, r);
   else
-    residual_by<false>(grid, state, transport, threads, r);
+    residual_of<false>(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,

@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "reynolds/flux.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/passes.hpp"
@@ -25,7 +26,8 @@ constexpr double brim = std::numeric_limits<double>::infinity();
 // On a line contact no oil flows aside: a supply above the flow through the contact fills the gap as far as the domain
 // reaches, which is the flooded contact. From other states the cycles would fill the gap node by node.
 bool more_than_goes_through(const Scene& scene, const Solution& flooded) {
-  return scene.grid.line && flooded.converged && scene.supply(0.0) >= flooded.verification.flow_through;
+  return !reynolds::flows_aside(scene.grid) && flooded.converged &&
+         scene.supply(0.0) >= flooded.verification.flow_through;
 }
 
 // Scales the supply on coarse grids by their own flooded film.

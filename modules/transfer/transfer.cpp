@@ -76,7 +76,7 @@ void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::F
   const auto at = [&](int i, int J) {
     return i % 2 == 0 ? coarse(i / 2, J) : half_way([&](int I) { return coarse(I, J); }, i / 2, last_x);
   };
-  if (grid.north == core::Edge::uniform) {
+  if (grid.finer_line(1) == 1) {
     for (int i = 0; i < fine.nodes_x(); ++i)
       for (int j = 0; j < fine.nodes_y(); ++j) fine(i, j) = at(i, j);
     return;
