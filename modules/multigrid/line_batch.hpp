@@ -53,7 +53,7 @@ reynolds::PressureRow<Number> viscosity_row(const reynolds::Faces<Number>& e, co
           .south = Number{},
           .north = Number{}};
 }
-/// The same with the faces along Y.
+/// What a row has in addition from the faces along X and along Y.
 template <class Number>
 reynolds::PressureRow<Number> viscosity_row(const reynolds::Faces<Number>& e, const film::Answers<Number>& west,
                                             const film::Answers<Number>& east, const film::Answers<Number>& south,

@@ -24,27 +24,30 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const WedgeWeights& c = i == 1 ? first : inner;
-    const auto columns = [i](const core::Field& f) { return columns_at(i, [&f](int k) { return f.at_x(k); }); };
-    const auto P = columns(state.P), H = columns(state.H), rho_bar = columns(state.rho_bar), eps = columns(state.eps);
-    const double* eps_across = state.eps_across.at_x(i);
-    const double* theta_west = plain ? nullptr : state.third_order.at_x(i - 1);
-    const double* theta_east = plain ? nullptr : state.third_order.at_x(i);
-    const double* f = state.f.nodes_x() > 0 ? state.f.at_x(i) : nullptr;
+    const auto at_columns = columns_at(i, [&](int k) { return k * state.P.stride(); });
     double* out = r.at_x(i);
     for (int j = 1; j <= grid.last_line(); j += static_cast<int>(sizeof(Number) / sizeof(double))) {
-      const auto at = [j](const double* column) { return core::load<Number>(column + j); };
-      const auto Q = [&](const double* rho, const double* film) { return at(rho) * at(film); };
-      const Columns<Number> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
-                                   Q(rho_bar.east, H.east)};
+      // All fields of a grid have the same stride.
+      const auto at = [j](const core::Field& f, std::ptrdiff_t column) {
+        return core::load<Number>(f.at_x(0) + column + j);
+      };
+      const auto columns = [&](auto value) {
+        return Columns<Number>{value(at_columns.own), value(at_columns.west), value(at_columns.far_west),
+                               value(at_columns.east)};
+      };
+      const auto cross = [&](const core::Field& along, const core::Field& across) {
+        const std::ptrdiff_t own = at_columns.own;
+        return Cross<Number>{at(along, at_columns.west), at(along, at_columns.east), at(across, own - 1),
+                             at(across, own + 1), at(along, own)};
+      };
       const Faces<Number> e =
-          faces<Number>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
-                        at(eps_across), half);
-      const Cross<Number> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
+          faces<Number>(face, cross(state.eps, state.eps_across), at(state.eps_across, at_columns.own), half);
       const auto w = wedge_weights<!plain, Number>(c, transport, grid.hx(), [&] {
-        return ThirdOrder<Number>{at(theta_west), at(theta_east)};
+        return ThirdOrder<Number>{at(state.third_order, at_columns.west), at(state.third_order, at_columns.own)};
       });
-      Number own = residual(w, e, around, pressures);
-      if (f != nullptr) own += at(f);
+      const Columns<Number> Q = columns([&](std::ptrdiff_t k) { return at(state.rho_bar, k) * at(state.H, k); });
+      Number own = residual(w, e, Q, cross(state.P, state.P));
+      if (state.f.nodes_x() > 0) own += at(state.f, at_columns.own);
       core::store(out + j, own);
     }
     out[0] = 0.0;
@@ -53,22 +56,14 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
   }
 }
 
-template <bool plain>
-void residual_of(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
-                 core::Field& r) {
-  if (grid.last_line() == 1)  // a vector would have one line in it
-    residual_by<plain, double>(grid, state, transport, threads, r);
-  else
-    residual_by<plain, core::Lanes>(grid, state, transport, threads, r);
-}
-
 }  // namespace
 
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
-  if (state.face == Face::mean && !third_order(transport.wedge))
-    residual_of<true>(grid, state, transport, threads, r);
-  else
-    residual_of<false>(grid, state, transport, threads, r);
+  const bool plain = state.face == Face::mean && !third_order(transport.wedge);
+  const bool one_line = grid.last_line() == 1;  // a vector would have one line in it
+  const auto by = one_line ? (plain ? residual_by<true, double> : residual_by<false, double>)
+                           : (plain ? residual_by<true, core::Lanes> : residual_by<false, core::Lanes>);
+  by(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,

@@ -50,12 +50,12 @@ Solution solve_starved(const Scene& scene, const ProgressCallback& progress) {
   const auto find = [](const Scene& one, const ProgressCallback& part) { return solve_by_strategies(one, part); };
   const ProgressCallback rest = multigrid::part_of(progress, share_of_flooded, 1.0);
   Scene starved = scene;
-  if (scene.grid.line && flooded.converged) starved.supply_share = share_by_film(flooded);
+  const bool all_goes_through = !reynolds::flows_aside(scene.grid) && flooded.converged;
+  if (all_goes_through) starved.supply_share = share_by_film(flooded);
   if (more_than_goes_through(scene, flooded)) starved.supply = [](double) { return brim; };
-  Solution solution =
-      scene.passes.number > 1
-          ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
-          : solve_by_strategies(starved, rest, scene.grid.line && flooded.converged ? &flooded : nullptr);
+  Solution solution = scene.passes.number > 1
+                          ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
+                          : solve_by_strategies(starved, rest, all_goes_through ? &flooded : nullptr);
   if (!solution.converged && starved.supply_share) {
     // For heavily loaded line contacts the same supply on all grids may converge if the scaled one does not.
     starved.supply_share = {};

@@ -100,9 +100,8 @@ std::string line_of_oil(const Case& input, const Starvation& found) {
 }  // namespace
 
 double factor_by_meniscus(const Case& input, const Starvation& found) {
-  return !input.scene.grid.line && contact::circular(input.scene.contact.shape)
-             ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
-             : unknown;
+  return contact::circular(input.scene.contact.shape) ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
+                                                      : unknown;
 }
 
 double factor_by_supply(const Case& input, const Starvation& found) {
