@@ -78,8 +78,8 @@ constexpr double share_of_H00 = 0.125;
 double domain_error(const multigrid::Hierarchy& hierarchy, const multigrid::Level& level, const Weights& weights) {
   const multigrid::Problem& problem = hierarchy.problem;
   if (!problem.far_field) return 0.0;
-  const bool line = level.grid.domain.line;
-  const double round = line ? problem.geometry.gap.XX : 0.5 * (problem.geometry.gap.XX + problem.geometry.gap.YY);
+  const core::QuadraticForm& gap = problem.geometry.gap;
+  const double round = gap.closed() ? 0.5 * (gap.XX + gap.YY) : gap.XX;
   const double deformation = problem.geometry.kernel.factor * problem.load.value_or(0.0);
   const std::vector<multigrid::BoundaryNode> nodes = multigrid::nodes_of_boundary(level.grid);
   double sum = 0.0;

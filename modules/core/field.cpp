@@ -56,7 +56,6 @@ void copy(const Field& from, Field& to) {
 }
 
 void fill_ghosts(const Patch& patch, Field& f) {
-  if (patch.north == Edge::zero) return;
   for (int i = 0; i < f.nodes_x(); ++i) fill_ghosts(patch, f.at_x(i));
 }
 

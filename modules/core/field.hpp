@@ -80,11 +80,8 @@ inline constexpr int ghost_lines = 2;
 /// Fills the ghost lines of one column: behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; for a line contact the two
 /// copies of the line of unknowns. limits: ny >= 2.
 inline void fill_ghosts(const Patch& patch, double* station) {
+  if (patch.domain.line) return fill_lines(station, station[1]);
   if (patch.north == Edge::zero) return;
-  if (patch.north == Edge::uniform) {
-    fill_lines(station, station[1]);
-    return;
-  }
   for (int k = 1; k <= ghost_lines; ++k) station[patch.ny + k] = station[patch.ny - k];
 }
 /// Fills the ghost lines of all columns.

@@ -26,13 +26,17 @@ using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
 /// Result of comparing two Lanes: all bits set where true. `mask ? a : b` selects per lane.
 using LaneMask [[gnu::vector_size(lanes * sizeof(double))]] = std::int64_t;
 
-/// Loads, stores and constants. `p` needs no alignment.
-inline Lanes load(const double* p) {
-  Lanes v;
+/// Loads, stores and constants, of lanes or of a single number. `p` needs no alignment.
+template <class Number = Lanes>
+Number load(const double* p) {
+  Number v;
   std::memcpy(&v, p, sizeof v);
   return v;
 }
-inline void store(double* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
+template <class Number>
+void store(double* p, Number v) {
+  std::memcpy(p, &v, sizeof v);
+}
 inline Lanes broadcast(double s) { return Lanes{} + s; }
 
 /// Functions per lane; all() is true if all lanes are.

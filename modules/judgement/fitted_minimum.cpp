@@ -19,14 +19,16 @@ struct Near {
   double value = 0.0;
 };
 
+/// True if the film does not vary along Y: any curvature along Y then keeps the minimum on its line.
+bool one_line(const core::Patch& grid) { return grid.domain.line; }
+
 std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::Field& film, int i, int j) {
   if (i < 1 || j < 1 || i >= grid.nx || j > grid.last_line()) return std::nullopt;
   const auto H = [&](int k, int line) { return film(k, grid.holder(line)); };
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
   const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
-  // A line contact does not vary along Y.
-  const double c = grid.domain.line ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
+  const double c = one_line(grid) ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
   const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
   const double determinant = a * c - b * b;
   if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
@@ -58,15 +60,14 @@ Along along(double t) {
   return at;
 }
 
-/// Interpolation along Y. A line contact has one node there and no slope; any curvature keeps Newton's step on its
-/// line.
+/// Interpolation along Y. One line has one node there and no slope.
 Along along_Y(const core::Patch& grid, double t) {
   const std::array<double, 5> middle{0.0, 0.0, 1.0, 0.0, 0.0};
-  return grid.domain.line ? Along{middle, {}, middle, 2} : along(t);
+  return one_line(grid) ? Along{middle, {}, middle, 2} : along(t);
 }
 /// True if all nodes of the interpolation around line j are on the grid.
 bool fits_along_Y(const core::Patch& grid, int j) {
-  return grid.domain.line || (j >= 2 && (grid.north == core::Edge::mirror ? j : j + 2) <= grid.ny);
+  return one_line(grid) || (j >= 2 && (grid.north == core::Edge::mirror ? j : j + 2) <= grid.ny);
 }
 
 /// Newton's method from the paraboloid's minimum; the point stays in the middle of the five nodes along x and y.
@@ -109,7 +110,7 @@ struct Fit {
 };
 /// in: i, j, the smallest node.
 Fit fit(const core::Patch& grid, const core::Field& film, int i, int j) {
-  const Near node{i, grid.domain.line ? 1 : j, 0.0, 0.0, film(i, j)};
+  const Near node{i, grid.lines(j) > 0.0 ? j : 1, 0.0, 0.0, film(i, j)};
   const std::optional<Near> paraboloid = minimum_of_paraboloid(grid, film, node.i, node.j);
   if (!paraboloid) return {node};
   const std::optional<Near> quartic = minimum_of_quartic(grid, film, *paraboloid);

@@ -23,7 +23,7 @@ constexpr int coarsening_limit = 20;
 constexpr int largest_patch = 64;
 
 bool leaves_enough(const core::Grid& grid, int coarsenings) {
-  const int in_y = grid.line ? 0 : coarsenings / 2, in_x = coarsenings - in_y;
+  const int in_y = grid.finer_lines() == 1 ? 0 : coarsenings / 2, in_x = coarsenings - in_y;
   return coarsenings <= coarsening_limit && (in_x == 0 || grid.nx >> in_x >= fewest_cells) &&
          (in_y == 0 || grid.ny >> in_y >= fewest_cells);
 }
@@ -127,7 +127,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
     case Method::direct: own.description = "direct sum"; break;
   }
   const Axis x{0, grid.nx, 1, grid.hx()};
-  if (whole.line) {
+  if (kernel.plane) {
     own.line_sum.emplace(x, choice, kernel);
     own.along_P = own.along_w = std::vector<double>(static_cast<std::size_t>(grid.nodes_x()));
     own.of_unit = -kernel.factor * grid.hx() * kernel::at_distance(kernel, parameters.line_unit);

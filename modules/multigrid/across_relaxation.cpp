@@ -87,11 +87,11 @@ class StationAcross {
     const core::Field& P = level_.P;
     const Faces<double> e = rows_.faces(i, j);
     if (!single(e)) return {};
-    const reynolds::NodeRows::NodeRow reynolds_row{rows_.weights(i, j), e};
-    RowAcross row{.r = reynolds_row.residual(rows_.Q(i, j), reynolds::cross_at(P, i, j))};
+    const std::array<double, 4> w = rows_.weights(i, j);
+    RowAcross row{.r = reynolds::residual(w, e, rows_.Q(i, j), reynolds::cross_at(P, i, j))};
     if (level_.f.nodes_x() > 0) row.r += level_.f(i, j);
     if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
-    const double own = reynolds_row.w[0];
+    const double own = w[0];
     const double film = own * level_.rho_bar(i, j);
     row.weight = weight_of(e);
     row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * film_response(level_, 0);
@@ -181,7 +181,7 @@ class StationAcross {
 }  // namespace
 
 bool can_relax_across(const Hierarchy& hierarchy, const Level& level) {
-  return !level.grid.domain.line && !conserves_mass(level) && hierarchy.transport.squeeze == 0.0;
+  return reynolds::flows_aside(level.grid) && !conserves_mass(level) && hierarchy.transport.squeeze == 0.0;
 }
 
 void relax_across(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {

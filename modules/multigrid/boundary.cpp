@@ -125,7 +125,7 @@ double renew_load_outside(Hierarchy& hierarchy, Level& level) {
 double renew_boundary(Hierarchy& hierarchy, Level& level) {
   if (!hierarchy.problem.far_field) return 0.0;
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;
-  if (level.grid.domain.line) {
+  if (!hierarchy.problem.geometry.gap.closed()) {
     hierarchy.far_motion.flow = flow_through_line(hierarchy, level);
     hierarchy.far_motion.mobility = mobility_upstream(hierarchy, level);
   }
@@ -143,7 +143,7 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
 }
 
 void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level) {
-  if (!level.grid.domain.line && !hierarchy.parameters.extend_boundary) {
+  if (!hierarchy.parameters.extend_boundary) {
     renew_boundary(hierarchy, level);
     return;
   }

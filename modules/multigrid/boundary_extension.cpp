@@ -66,7 +66,8 @@ void extend_boundary(const Hierarchy& hierarchy, Level& level) {
   const reynolds::Face face = level.scheme.face;
   core::Field& change = level.correction;
 
-  if (!grid.domain.line) {
+  const bool flows_aside = reynolds::flows_aside(grid);
+  if (flows_aside) {
     const core::Field& eps = eps_across(level);
     Row row(grid.ny);
     for (int i = 0; i <= grid.nx; ++i) {
@@ -93,7 +94,7 @@ void extend_boundary(const Hierarchy& hierarchy, Level& level) {
     row.change.back() = change(grid.nx, j);
     extend_from_ends(row, least, false);
     for (int i = 1; i < grid.nx; ++i) {
-      const double led = row.change[static_cast<std::size_t>(i)] + (grid.domain.line ? 0.0 : change(i, j));
+      const double led = row.change[static_cast<std::size_t>(i)] + (flows_aside ? change(i, j) : 0.0);
       if (level.P(i, j) > 0.0) level.P(i, j) = std::max(0.0, level.P(i, j) + led);
     }
   }

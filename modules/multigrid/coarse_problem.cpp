@@ -104,7 +104,7 @@ void restrict_by_coupling(const Level& fine, double elastic, int threads, core::
       }
     return;
   }
-  if (grid.domain.line) {
+  if (grid.finer_line(1) == 1) {  // coarser along X alone
     for (int I = 1; I < grid.nx; ++I) {
       const int i = 2 * I;
       coarse(I, 1) =
@@ -182,7 +182,7 @@ void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const cor
   const int threads = hierarchy.threads_on(fine.grid);
   const double elastic = elastic_coupling(hierarchy, fine);
   const bool across_alone = coarse.nodes_x() == correction.nodes_x();
-  if (fine.grid.domain.line || !(weighted || across_alone || hierarchy.problem.geometry.gap.oblique()))
+  if (!reynolds::flows_aside(fine.grid) || !(weighted || across_alone || hierarchy.problem.geometry.gap.oblique()))
     transfer::prolong_bilinear(coarse, correction, threads);
   else if (at_half_points(fine))
     prolong_by_coupling<reynolds::Face::logmean>(fine, elastic, coarse, threads, correction);

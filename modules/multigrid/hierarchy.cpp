@@ -30,7 +30,7 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, const kernel::Kernel
   terms.reach = reach;
   for (int d = 0; d <= reach; ++d) {
     const auto k = static_cast<std::size_t>(d);
-    if (grid.domain.line) {
+    if (kernel.plane) {
       const double zero_at = std::max(how.line_zero, 2.0 * grid.hx());
       const double at_zero = kernel::at_distance(kernel, zero_at);
       terms.K[k] = kernel.factor * (kernel::line_influence(kernel, d, grid.hx()) - grid.hx() * at_zero);

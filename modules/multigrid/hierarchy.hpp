@@ -53,10 +53,10 @@ struct Hierarchy {
   core::PartTimes times;
 
   Level& finest() { return levels.back(); }
-  /// Threads to use on a level: small grids are slower with more than one. A line contact always takes one, since a
-  /// vector covers several of its nodes.
+  /// Threads to use on a level: small grids are slower with more than one. So is a single line, since a vector covers
+  /// several of its nodes.
   int threads_on(const core::Patch& grid) const {
-    return grid.domain.line || grid.nx * grid.ny < 128 * 128 ? 1 : threads;
+    return grid.last_line() == 1 || grid.nx * grid.ny < 128 * 128 ? 1 : threads;
   }
 };
 

@@ -17,6 +17,7 @@
 #include "mlmi/deformation.hpp"
 #include "multigrid/work_space.hpp"
 #include "reynolds/far_field.hpp"
+#include "reynolds/flux.hpp"
 #include "reynolds/residual.hpp"
 
 namespace ehl::multigrid {
@@ -81,14 +82,14 @@ struct Scheme {
   reynolds::Face face = reynolds::Face::mean;
 };
 
-/// Shares of a distributed change that each neighbour along X and along Y gives up; the four of them sum to 1. A point
-/// of a line contact has two neighbours. On stretched cells the shares are in proportion to 1/h^2: equal ones make
-/// lines amplify smooth errors (tests/convergence/test_smoothing.cpp).
+/// Shares of a distributed change that each neighbour along X and along Y gives up; the four of them sum to 1. Where
+/// nothing flows aside, a point has two neighbours. On stretched cells the shares are in proportion to 1/h^2: equal
+/// ones make lines amplify smooth errors (tests/convergence/test_smoothing.cpp).
 struct DistributedShares {
   double along, across;
 };
 inline DistributedShares distributed_shares(const core::Patch& grid) {
-  if (grid.domain.line) return {0.5, 0.5};
+  if (!reynolds::flows_aside(grid)) return {0.5, 0.5};
   if (!core::stretched(grid)) return {0.25, 0.25};
   const double stretch2 = core::stretch(grid) * core::stretch(grid);
   return {0.5 / (1.0 + stretch2), 0.5 * stretch2 / (1.0 + stretch2)};

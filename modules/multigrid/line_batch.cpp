@@ -61,7 +61,7 @@ FilmOfEpsilon film_of_epsilon(double beside, const Level& level, int i, int j, c
 /// ones and some line contacts find no solution with it. [bench: epsilon_follows_film]
 bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
   const Problem& problem = hierarchy.problem;
-  return corrects_finer(level) && !level.grid.domain.line && !problem.geometry.gap.round() && !problem.surface &&
+  return corrects_finer(level) && problem.geometry.gap.closed() && !problem.geometry.gap.round() && !problem.surface &&
          hierarchy.transport.squeeze == 0.0 && !problem.film.given_epsilon;
 }
 
@@ -127,25 +127,25 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
                                                       grid.hx(), theta);
       }
     }();
-    const auto reynolds_row = reynolds::row_of(weights, e);
-    if constexpr (form != Form::mass_conserving) r = reynolds_row.residual(film.rho_H, pressures) + f;
+    if constexpr (form != Form::mass_conserving) r = reynolds::residual(weights, e, film.rho_H, pressures) + f;
     // By the pressure changes: Poiseuille terms, and the wedge through the density.
-    reynolds::PressureRow<Lanes> dr = reynolds_row.by_pressure(film.slope_H);
-    if (!plain && at_half_points(level)) dr = reynolds::sum(dr, work_.answers[k]);
+    reynolds::PressureRow<Lanes> dr = reynolds::by_pressure(weights, e, film.slope_H);
+    if (!plain && at_half_points(level)) reynolds::add(work_.answers[k], dr);
     if constexpr (form == Form::mass_conserving) {
       const Lanes back = at_half_points(level) ? e.west + work_.answers_west[k] : e.west;
       dr.own -= march->behind_dry() ? march->part_that_returns() * back : Lanes{};
       march->go_on(film.rho_H.own, P.own <= 0.0, r, own_lines(level.content->chatters, i, j) > 0.0);
     }
 
-    const auto by_film = reynolds_row.by_film(film.rho_bar);
     FilmOfEpsilon of_epsilon{};
     line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
     if constexpr (follows) {
+      std::array<Lanes, 3> by_film;
+      reynolds::by_film(weights, film.rho_bar, by_film);
       of_epsilon = film_of_epsilon(film_beside, level, i, j, half, pressures);
       point.c = {by_film[0] + of_epsilon.own, by_film[1] + of_epsilon.west, by_film[2], of_epsilon.east};
     } else {
-      point.c = by_film;
+      reynolds::by_film(weights, film.rho_bar, point.c);
     }
     point.r = r;
     const Lanes* d = distributive + i;

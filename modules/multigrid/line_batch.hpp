@@ -42,18 +42,27 @@ inline std::array<core::Lanes, 5> coefficients_of_deltas(const DistributedShares
 }
 
 /// What a row has in addition as epsilon at half points follows the viscosity at the nodes. in: e; the derivatives of
-/// the viscosity (film::answers) at the four faces.
+/// the viscosity (film::answers) at the faces along X.
+template <class Number>
+reynolds::PressureRow<Number> viscosity_row(const reynolds::Faces<Number>& e, const film::Answers<Number>& west,
+                                            const film::Answers<Number>& east) {
+  return {.far_west = Number{},
+          .west = e.west * (1.0 - west.before),
+          .own = e.west * (west.behind - 1.0) + e.east * (east.before - 1.0),
+          .east = e.east * (1.0 - east.behind),
+          .south = Number{},
+          .north = Number{}};
+}
+/// What a row has in addition from the faces along X and along Y.
 template <class Number>
 reynolds::PressureRow<Number> viscosity_row(const reynolds::Faces<Number>& e, const film::Answers<Number>& west,
                                             const film::Answers<Number>& east, const film::Answers<Number>& south,
                                             const film::Answers<Number>& north) {
-  return {.far_west = Number{},
-          .west = e.west * (1.0 - west.before),
-          .own = e.west * (west.behind - 1.0) + e.east * (east.before - 1.0) + e.south * (south.behind - 1.0) +
-                 e.north * (north.before - 1.0),
-          .east = e.east * (1.0 - east.behind),
-          .south = e.south * (1.0 - south.before),
-          .north = e.north * (1.0 - north.behind)};
+  reynolds::PressureRow<Number> row = viscosity_row(e, west, east);
+  row.own = row.own + e.south * (south.behind - 1.0) + e.north * (north.before - 1.0);
+  row.south = e.south * (1.0 - south.before);
+  row.north = e.north * (1.0 - north.behind);
+  return row;
 }
 
 /// The row of the line system of a point. in: c and r of its equation; the derivatives of r by the pressures; d and

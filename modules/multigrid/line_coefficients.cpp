@@ -51,8 +51,9 @@ bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& par
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
                             reynolds::Cavitation cavitation) {
   const std::vector<double> across(static_cast<std::size_t>(grid.nodes_y()));
-  ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),
-                  .line_nodes = make_line_nodes(grid, film::anisotropic(film)),
+  const bool line = grid.domain.line;
+  ThreadWork work{.film = film::make_buffers(film, line ? grid.nodes_x() : grid.nodes_y()),
+                  .line_nodes = line ? make_line_nodes(grid, film::anisotropic(film)) : LineNodes{},
                   .line_system = {},
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
@@ -61,7 +62,7 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
                   .eps_H = across,
                   .eps_across_P = film::anisotropic(film) ? across : std::vector<double>{},
                   .eps_across_H = film::anisotropic(film) ? across : std::vector<double>{},
-                  .one_line = grid.domain.line,
+                  .flows_aside = reynolds::flows_aside(grid),
                   .stretch = core::stretch(grid),
                   .west = {},
                   .south = {},

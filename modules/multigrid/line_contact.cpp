@@ -68,7 +68,6 @@ void third_order_behind_nodes(const reynolds::Transport& transport, std::span<co
 }  // namespace
 
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic) {
-  if (!grid.domain.line) return {};
   const std::vector<double> zero(static_cast<std::size_t>(grid.nodes_x()));
   LineNodes nodes{zero, zero, zero, zero, zero, zero, zero, std::vector<double>(zero.size() + 2)};
   if (anisotropic) nodes.fluidity_across = nodes.log_viscosity_across = zero;

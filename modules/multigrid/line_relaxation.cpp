@@ -169,18 +169,16 @@ line_solvers::BandRow<reach> AlongLine<reach>::rows_from(int i, const WedgeWeigh
     return reynolds::ThirdOrder<Lanes>{at(work_.third_order, i - 1), at(work_.third_order, i)};
   };
   const auto weights = reynolds::wedge_weights<!plain, Lanes>(c, transport_, grid_.hx(), theta);
-  const auto reynolds_row = reynolds::row_of(weights, e);
   line_solvers::PointEquation<plain ? 3 : 4> point;
-  point.c = reynolds_row.by_film(around(work_.rho_bar));
-  point.r = reynolds_row.residual(around(work_.rho_H), {at(work_.P, i - 1), at(work_.P, i + 1), P, P, P});
+  reynolds::by_film(weights, around(work_.rho_bar), point.c);
+  point.r = reynolds::residual(weights, e, around(work_.rho_H), {at(work_.P, i - 1), at(work_.P, i + 1), P, P, P});
   if (level_.f.nodes_x() > 0) point.r += at(work_.f, i);
-  reynolds::PressureRow<Lanes> dr = reynolds_row.by_pressure(around(work_.slope_H));
+  reynolds::PressureRow<Lanes> dr = reynolds::by_pressure(weights, e, around(work_.slope_H));
   if (!plain && half_points_) {
     const auto answers = [&](int k) {
       return film::Answers<Lanes>{at(work_.answer_before, k), at(work_.answer_behind, k)};
     };
-    const film::Answers<Lanes> none{};
-    dr = reynolds::sum(dr, viscosity_row(e, answers(i), answers(i + 1), none, none));
+    reynolds::add(viscosity_row(e, answers(i), answers(i + 1)), dr);
   }
   line_solvers::BandRow<reach> row = band_row<reach>(
       level_.film_terms, shares_, point, dr, [&](int q) { return at(work_.distributive, i + q); },

@@ -67,7 +67,7 @@ struct Parameters {
   double settling_weight = 1.0;   ///< factor on the weights in these relaxations
   /// Corrections are weighted by face conductances on every grid, not only where coarse_problem.hpp says so.
   bool weighted_corrections = false;
-  bool extend_boundary = false;  ///< point contacts, too: extend boundary changes into the domain after a cycle
+  bool extend_boundary = false;  ///< extend boundary changes into the domain after a cycle
   RelaxationParameters relaxation;
   Tuning tuning;
   judgement::Tuning judgement;

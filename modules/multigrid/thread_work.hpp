@@ -24,7 +24,6 @@ struct LineNodes {
   std::vector<double> H_around;                                   ///< H, with one value beyond each boundary
   std::vector<double> fluidity_across{}, log_viscosity_across{};  ///< shear thinning: output of the laws, not used
 };
-/// Empty unless the grid is that of a line contact.
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
 
 template <int reach>
@@ -72,8 +71,8 @@ struct ThreadWork {
   /// Entries of `distributive` before and after the points of a line.
   static constexpr int margin = line_solvers::max_reach + 2;
 
-  bool one_line = false;  ///< true for a line contact
-  double stretch = 1.0;   ///< hx/hy of stretched cells
+  bool flows_aside = true;  ///< oil flows through the faces along Y
+  double stretch = 1.0;     ///< hx/hy of stretched cells
   /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
   std::vector<core::Lanes> west, south, north;
   /// Epsilon at half points: the terms in the row of point i that arise because the viscosity follows the pressure.
@@ -88,7 +87,7 @@ struct ThreadWork {
   Range range_of(std::size_t i) const {
     const core::Lanes low = stretch * core::min(west[i], west[i + 1]);
     const core::Lanes high = stretch * core::max(west[i], west[i + 1]);
-    if (one_line) return {low, high};
+    if (!flows_aside) return {low, high};
     const double across = 1.0 / stretch;
     return {core::min(low, across * core::min(south[i], north[i])),
             core::max(high, across * core::max(south[i], north[i]))};

@@ -36,7 +36,7 @@ void Equations::make_scale() {
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) {
       const double dq = level_.rho_bar(i, j) * multigrid::film_response(level_, 0);
-      scale_[index(i, j)] = 1.0 / reynolds::row_of(rows.wedge(i), rows.faces(i, j)).diagonal(dq);
+      scale_[index(i, j)] = 1.0 / reynolds::diagonal(rows.wedge(i), rows.faces(i, j), dq);
     }
 }
 
@@ -230,7 +230,8 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto dQ = reynolds::columns_at(i, [&](int k) { return dq(k, j); });
       double& change = dr[index(i, j)];
-      change = rows.at(i, j).residual(dQ, reynolds::cross_at(dP, i, j)) - dpoiseuille(i, j);
+      change = reynolds::residual(rows.weights(i, j), rows.faces(i, j), dQ, reynolds::cross_at(dP, i, j)) -
+               dpoiseuille(i, j);
       if (switched()) {
         const auto dw =
             reynolds::third_order_weights<double>({}, transport, grid.hx(), {dtheta_(i - 1, j), dtheta_(i, j)});

@@ -94,15 +94,14 @@ class Equations {
   /// True if theta depends on epsilon.
   bool switched() const { return level_.scheme.wedge == reynolds::Wedge::upstream3; }
   bool two_epsilons() const { return anisotropic() || at_half_points(); }
-  /// Calls action(j) for all lines; for a line contact only for the line of the unknowns, of which the others are
-  /// copies.
+  /// Calls action(j) for all lines but copies.
   template <class Action>
   void for_lines(Action action) const {
-    if (grid().domain.line) return action(1);
-    for (int j = 0; j <= grid().ny; ++j) action(j);
+    for (int j = 0; j <= grid().ny; ++j)
+      if (grid().lines(j) > 0.0) action(j);
   }
-  /// True if epsilon between lines j and j + 1 is used: nothing flows across a line contact.
-  bool flows_across(int j) const { return !grid().domain.line && j < grid().domain.ny; }
+  /// True if epsilon between lines j and j + 1 is used.
+  bool flows_across(int j) const { return reynolds::flows_aside(grid()) && j < grid().domain.ny; }
   struct NodeEpsilon {
     double value = 0.0, change = 0.0;
   };

@@ -206,7 +206,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
       const auto in_columns = [&](const core::Field& field) {
         return reynolds::columns_at(k, [&](int column) { return field(column, j); });
       };
-      const auto held = reynolds::row_of(w, rows.faces(k, j)).by_pressure(in_columns(dq));
+      const auto held = reynolds::by_pressure(w, rows.faces(k, j), in_columns(dq));
       const auto dr = face == reynolds::Face::mean
                           ? reynolds::follow_epsilon(held, level.P, equations.local().eps, equations.local_eps_across(),
                                                      k, j, rows.half())
@@ -221,7 +221,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
       if (w[2] != 0.0) enter(k - 2, j, dr.far_west);
       const auto de_dH00 =
           reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), k, j, rows.half());
-      of_H00 += s * reynolds::row_of(w, de_dH00).residual(in_columns(level.rho_bar), reynolds::cross_at(level.P, k, j));
+      of_H00 += s * reynolds::residual(w, de_dH00, in_columns(level.rho_bar), reynolds::cross_at(level.P, k, j));
     };
     enter_row(i, c);
     if (content == nullptr) continue;

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "reynolds/flux.hpp"
+
 namespace ehl::newton {
 namespace {
 
@@ -14,9 +16,9 @@ struct Colours {
   int of(int i, int j) const { return line ? i % count : (i + 3 * j) % count; }
   bool sees(int dj) const { return !line || dj == 0; }
 };
-Colours colours_of(By by, bool line) {
+Colours colours_of(By by, bool across) {
   const std::size_t nodes = by == By::pressure ? 6 : stencil.size();
-  if (line) return {by == By::pressure ? 4 : 5, nodes, true};
+  if (!across) return {by == By::pressure ? 4 : 5, nodes, true};
   return {by == By::pressure ? 7 : 10, nodes};
 }
 
@@ -28,7 +30,7 @@ Slopes slopes(Equations& equations, By by) {
   core::Field dP(grid), dH(grid);
   Slopes slopes(rows);
   std::vector<double> dr(rows);
-  const Colours colours = colours_of(by, grid.domain.line);
+  const Colours colours = colours_of(by, reynolds::flows_aside(grid));
   for (int chosen = 0; chosen < colours.count; ++chosen) {
     core::Field& changed = by == By::pressure ? dP : dH;
     (by == By::pressure ? dH : dP).fill(0.0);

@@ -17,6 +17,9 @@ struct OneLine {
   Content content;
 };
 
+/// True if the fields are those of a computation, with copies of their one line.
+inline bool has_copies(const Content& content) { return content.grid.line && content.grid.ny > 0; }
+
 /// A field that was read from a file, as computed: a single line of the file becomes three equal ones.
 core::Field field_of(const Array& array);
 

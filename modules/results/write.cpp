@@ -158,7 +158,7 @@ void everything(const Writer& writer, const Content& content) {
 // HDF5 may report a full disk as late as in the close and then cannot close the file. So it writes only to memory, and
 // system calls whose errors can be handled write the bytes to disk.
 std::vector<std::byte> image(const std::string& path, const Content& content) {
-  if (content.grid.line && content.grid.ny > 0) return image(path, OneLine(content).content);
+  if (has_copies(content)) return image(path, OneLine(content).content);
   const QuietErrors quiet;
   const std::string cannot = path + ": cannot build the result";
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
@@ -186,7 +186,7 @@ std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
 }
 
 void write(const std::string& path, const Content& content, bool overwrite) {
-  if (content.grid.line && content.grid.ny > 0) return write(path, OneLine(content).content, overwrite);
+  if (has_copies(content)) return write(path, OneLine(content).content, overwrite);
   write_atomically(path, image(path, content), overwrite);
   const std::string description = xdmf(path, content);
   write_atomically(xdmf_name(path), std::as_bytes(std::span(description)), overwrite);

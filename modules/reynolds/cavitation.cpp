@@ -18,17 +18,18 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
       core::fill_ghosts(grid, out);
       continue;
     }
-    const auto dry_row = [&](int j) { return west[j] <= 0.0 || here[j] <= 0.0 || east[j] <= 0.0; };
+    const auto dry_row = [&](int j) { return (west[j] <= 0.0) | (here[j] <= 0.0) | (east[j] <= 0.0); };
     bool south = dry_row(1);
     bool own = south;
+    bool dropped = false;
     const int last = grid.last_line();
     for (int j = 1; j <= last; ++j) {
       const bool north = j < last ? dry_row(j + 1) : own;  // the boundary, too
-      if (south || own || north) out[j] = 0.0;
+      if (south | own | north) out[j] = 0.0, dropped = true;
       south = own;
       own = north;
     }
-    core::fill_ghosts(grid, out);
+    if (dropped) core::fill_ghosts(grid, out);
   }
 }
 

@@ -51,7 +51,7 @@ inline double slack(Cavitation model, double P, double r) { return dry(model, P)
 /// Sets a residual or a correction to zero at cavitated points and at those with one among their eight neighbours: the
 /// edge of the cavitated region is left to the relaxation of its own grid. In the mass-conserving model only cavitated
 /// points are set to zero, since a residual at a meniscus is oil to which the pressure in all of the inlet responds.
-/// in: ghost lines of P. out: ghost lines of r.
+/// in: ghost lines of P. in, out: ghost lines of r.
 ///
 /// Neighbours::across, where the coarse grid keeps all columns (constant X): only neighbours along Y count, since
 /// nothing is transferred along X. Along an edge of constant X stretched cells are coupled to each other far more than

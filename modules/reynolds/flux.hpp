@@ -38,13 +38,15 @@ Number total(const Faces<Number>& e) {
   return e.west + e.east + e.south + e.north;
 }
 
-/// The factors of conductance() that couple nodes, 1/(2 h^2). The cells of a line contact have no end along Y, and
-/// nothing flows between lines: Y = 0.
+/// The factors of conductance() that couple nodes, 1/(2 h^2). Y = 0 in a line contact, whose cells have no end along Y.
 struct HalfInverseSquares {
   explicit HalfInverseSquares(const core::Patch& grid)
-      : X(0.5 / (grid.hx() * grid.hx())), Y(grid.domain.line ? 0.0 : 0.5 / (grid.hy() * grid.hy())) {}
+      : X(0.5 / (grid.hx() * grid.hx())), Y(0.5 / (grid.domain.between_lines() * grid.domain.between_lines())) {}
   double X, Y;
 };
+
+/// True if oil flows along Y.
+inline bool flows_aside(const core::Patch& grid) { return HalfInverseSquares(grid).Y > 0.0; }
 
 /// A node and its four neighbours.
 template <class Number>

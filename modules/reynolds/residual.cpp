@@ -4,47 +4,51 @@
 #include <array>
 #include <cmath>
 
-#include "core/store_lines.hpp"
+#include "core/simd.hpp"
 #include "reynolds/row.hpp"
 
 namespace ehl::reynolds {
 namespace {
 
-using core::Lanes;
-
-// plain: epsilon at the nodes and no third-order flux, known at compile time.
-template <bool plain>
+// plain: epsilon at the nodes and no third-order flux, known at compile time. Number: the lines that are taken
+// together.
+template <bool plain, class Number>
 void residual_by(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
                  core::Field& r) {
   const HalfInverseSquares half(grid);
   const Face face = plain ? Face::mean : state.face;
+  const WedgeWeights first = transport_weights(transport, 1, grid.hx()),
+                     inner = transport_weights(transport, 2, grid.hx());
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const WedgeWeights c = transport_weights(transport, i, grid.hx());
-    const auto columns = [i](const core::Field& f) { return columns_at(i, [&f](int k) { return f.at_x(k); }); };
-    const auto P = columns(state.P), H = columns(state.H), rho_bar = columns(state.rho_bar), eps = columns(state.eps);
-    const double* eps_across = state.eps_across.at_x(i);
-    const double* theta_west = plain ? nullptr : state.third_order.at_x(i - 1);
-    const double* theta_east = plain ? nullptr : state.third_order.at_x(i);
-    const double* f = state.f.nodes_x() > 0 ? state.f.at_x(i) : nullptr;
+    const WedgeWeights& c = i == 1 ? first : inner;
+    const auto at_columns = columns_at(i, [&](int k) { return k * state.P.stride(); });
     double* out = r.at_x(i);
-    for (int j = 1; j <= grid.last_line(); j += core::lanes) {
-      const auto at = [j](const double* column) { return core::load(column + j); };
-      const auto Q = [&](const double* rho, const double* film) { return at(rho) * at(film); };
-      const Columns<Lanes> around{Q(rho_bar.own, H.own), Q(rho_bar.west, H.west), Q(rho_bar.far_west, H.far_west),
-                                  Q(rho_bar.east, H.east)};
-      const Faces<Lanes> e =
-          faces<Lanes>(face, {at(eps.west), at(eps.east), at(eps_across - 1), at(eps_across + 1), at(eps.own)},
-                       at(eps_across), half);
-      const Cross<Lanes> pressures{at(P.west), at(P.east), at(P.own - 1), at(P.own + 1), at(P.own)};
-      const auto w = wedge_weights<!plain, Lanes>(c, transport, grid.hx(), [&] {
-        return ThirdOrder<Lanes>{at(theta_west), at(theta_east)};
+    for (int j = 1; j <= grid.last_line(); j += static_cast<int>(sizeof(Number) / sizeof(double))) {
+      // All fields of a grid have the same stride.
+      const auto at = [j](const core::Field& f, std::ptrdiff_t column) {
+        return core::load<Number>(f.at_x(0) + column + j);
+      };
+      const auto columns = [&](auto value) {
+        return Columns<Number>{value(at_columns.own), value(at_columns.west), value(at_columns.far_west),
+                               value(at_columns.east)};
+      };
+      const auto cross = [&](const core::Field& along, const core::Field& across) {
+        const std::ptrdiff_t own = at_columns.own;
+        return Cross<Number>{at(along, at_columns.west), at(along, at_columns.east), at(across, own - 1),
+                             at(across, own + 1), at(along, own)};
+      };
+      const Faces<Number> e =
+          faces<Number>(face, cross(state.eps, state.eps_across), at(state.eps_across, at_columns.own), half);
+      const auto w = wedge_weights<!plain, Number>(c, transport, grid.hx(), [&] {
+        return ThirdOrder<Number>{at(state.third_order, at_columns.west), at(state.third_order, at_columns.own)};
       });
-      Lanes own = row_of(w, e).residual(around, pressures);
-      if (f != nullptr) own += at(f);
-      core::store_lines(grid, r, i, j, own);
+      const Columns<Number> Q = columns([&](std::ptrdiff_t k) { return at(state.rho_bar, k) * at(state.H, k); });
+      Number own = residual(w, e, Q, cross(state.P, state.P));
+      if (state.f.nodes_x() > 0) own += at(state.f, at_columns.own);
+      core::store(out + j, own);
     }
     out[0] = 0.0;
     out[grid.last_line() + 1] = 0.0;
@@ -55,10 +59,11 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
 }  // namespace
 
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
-  if (state.face == Face::mean && !third_order(transport.wedge))
-    residual_by<true>(grid, state, transport, threads, r);
-  else
-    residual_by<false>(grid, state, transport, threads, r);
+  const bool plain = state.face == Face::mean && !third_order(transport.wedge);
+  const bool one_line = grid.last_line() == 1;  // a vector would have one line in it
+  const auto by = one_line ? (plain ? residual_by<true, double> : residual_by<false, double>)
+                           : (plain ? residual_by<true, core::Lanes> : residual_by<false, core::Lanes>);
+  by(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,

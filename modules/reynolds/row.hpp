@@ -73,47 +73,49 @@ template <class Number>
 struct PressureRow {
   Number far_west, west, own, east, south, north;
 };
+/// Adds to a row.
 template <class Number>
-PressureRow<Number> sum(const PressureRow<Number>& a, const PressureRow<Number>& b) {
-  return {a.far_west + b.far_west, a.west + b.west,   a.own + b.own,
-          a.east + b.east,         a.south + b.south, a.north + b.north};
+void add(const PressureRow<Number>& more, PressureRow<Number>& row) {
+  row.far_west += more.far_west, row.west += more.west, row.own += more.own;
+  row.east += more.east, row.south += more.south, row.north += more.north;
 }
 
-/// A row: weights of Q, of which there are three without third-order flux, else four, and coupling through the faces.
-template <class Number, class Weight, std::size_t columns>
-struct Row {
-  std::array<Weight, columns> w;
-  Faces<Number> e;
+// A row consists of the weights of Q, of which there are three without third-order flux, else four, and of the coupling
+// through the faces. Both are passed by reference, and results that are stored are written in place: the compiler
+// copies structures of wide vectors in halves, for which the next load of a whole vector has to wait.
 
-  /// r.
-  Number residual(const Columns<Number>& Q, const Cross<Number>& P) const {
-    return transported(w, Q) - poiseuille(e, P);
-  }
-  /// d r/dP with epsilon and H held. in: dQ/dP.
-  PressureRow<Number> by_pressure(const Columns<Number>& dQ) const {
-    Number east = -e.east;
-    if constexpr (columns == 4) east = w[3] * dQ.east - e.east;
-    return {.far_west = w[2] * dQ.far_west,
-            .west = w[1] * dQ.west - e.west,
-            .own = total(e) + w[0] * dQ.own,
-            .east = east,
-            .south = -e.south,
-            .north = -e.north};
-  }
-  /// d r/dH of the columns with epsilon held.
-  std::array<Number, columns> by_film(const Columns<Number>& rho_bar) const {
-    const std::array<Number, 4> all{rho_bar.own, rho_bar.west, rho_bar.far_west, rho_bar.east};
-    std::array<Number, columns> slopes;
-    for (std::size_t k = 0; k < columns; ++k) slopes[k] = w[k] * all[k];
-    return slopes;
-  }
-  /// d r/dP of the node itself with epsilon held. in: dQ/dP.
-  Number diagonal(Number dQ) const { return total(e) + w[0] * dQ; }
-};
-
+/// r.
 template <class Number, class Weight, std::size_t columns>
-Row<Number, Weight, columns> row_of(const std::array<Weight, columns>& w, const Faces<Number>& e) {
-  return {w, e};
+Number residual(const std::array<Weight, columns>& w, const Faces<Number>& e, const Columns<Number>& Q,
+                const Cross<Number>& P) {
+  return transported(w, Q) - poiseuille(e, P);
+}
+/// d r/dP of the node itself with epsilon held. in: dQ/dP.
+template <class Number, class Weight, std::size_t columns>
+Number diagonal(const std::array<Weight, columns>& w, const Faces<Number>& e, Number dQ) {
+  return total(e) + w[0] * dQ;
+}
+/// d r/dP with epsilon and H held. in: dQ/dP.
+template <class Number, class Weight, std::size_t columns>
+PressureRow<Number> by_pressure(const std::array<Weight, columns>& w, const Faces<Number>& e,
+                                const Columns<Number>& dQ) {
+  Number east = -e.east;
+  if constexpr (columns == 4) east = w[3] * dQ.east - e.east;
+  return {.far_west = w[2] * dQ.far_west,
+          .west = w[1] * dQ.west - e.west,
+          .own = diagonal(w, e, dQ.own),
+          .east = east,
+          .south = -e.south,
+          .north = -e.north};
+}
+/// d r/dH of the columns with epsilon held.
+template <class Number, class Weight, std::size_t columns>
+void by_film(const std::array<Weight, columns>& w, const Columns<Number>& rho_bar,
+             std::array<Number, columns>& slopes) {
+  slopes[0] = w[0] * rho_bar.own;
+  slopes[1] = w[1] * rho_bar.west;
+  slopes[2] = w[2] * rho_bar.far_west;
+  if constexpr (columns == 4) slopes[3] = w[3] * rho_bar.east;
 }
 
 /// Adds to a row that epsilon at the nodes follows the pressures. in: the row with epsilon held; P around node (i, j);
@@ -152,8 +154,6 @@ inline PressureRow<double> follow_epsilon(const PressureRow<double>& held, const
 /// The rows of a grid, node by node.
 class NodeRows {
  public:
-  using NodeRow = Row<double, double, 4>;
-
   /// in: the fields, which must outlive this.
   NodeRows(const core::Patch& grid, const Fields& state, const Transport& transport)
       : state_(state),
@@ -177,7 +177,6 @@ class NodeRows {
   std::array<double, 4> weights(int i, int j) const {
     return third_order_weights(wedge(i), transport_, hx_, theta(i, j));
   }
-  NodeRow at(int i, int j) const { return {weights(i, j), faces(i, j)}; }
   const HalfInverseSquares& half() const { return half_; }
 
  private:

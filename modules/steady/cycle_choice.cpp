@@ -121,7 +121,7 @@ constexpr Rule rules[] = {
     // Larger steps make the front of a spike alternate from line to line, because the X sweep holds epsilon fixed; the
     // Y sweep then amplifies that. A line contact, whose points are solved together, needs no limit.
     {"most_change_of_log_viscosity", [](const Choice& c) { return !c.is.line; }, limit_steps},
-    {"extend_boundary", [](const Choice& c) { return c.is.elongated; },
+    {"extend_boundary", [](const Choice& c) { return c.is.elongated || c.is.line; },
      [](const Choice&, Parameters& p) { p.extend_boundary = true; }},
 
     // ---- Coarsest grid: few enough cells for its relaxations to solve it

@@ -5,7 +5,6 @@ namespace ehl::steady {
 Sides sides_of(const Scene& scene) { return contact::line(scene.contact.shape) ? Sides::stay : Sides::move; }
 
 core::Grid doubled(const core::Grid& grid, Sides sides) {
-  if (grid.line) return core::line_grid(2 * grid.nx, grid.X_a - (grid.X_b - grid.X_a), grid.X_b);
   core::Grid larger = grid;
   larger.nx *= 2;
   larger.X_a -= grid.X_b - grid.X_a;
@@ -15,7 +14,7 @@ core::Grid doubled(const core::Grid& grid, Sides sides) {
 
 core::Grid with_cells(const core::Grid& grid, int nx) {
   core::Grid finer = grid;
-  if (!grid.line) finer.ny *= nx / grid.nx;
+  finer.ny *= grid.finer_lines(nx / grid.nx);
   finer.nx = nx;
   return finer;
 }

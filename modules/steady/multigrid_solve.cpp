@@ -17,7 +17,6 @@ namespace {
 /// domain.
 core::Patch patch_to_compute_on(const Scene& scene, const multigrid::Parameters& parameters) {
   const core::Grid& grid = scene.grid;
-  if (grid.line) return grid;
   if (!scene.use_symmetry || !multigrid::symmetric(geometry_of(scene)) || grid.Y_a != -grid.Y_b || grid.ny % 2 != 0)
     return grid;
   const auto all = multigrid::grids_below(grid, parameters);
@@ -56,7 +55,7 @@ reynolds::Transport transport_of(const Scene& scene) {
 double deformation_by_outside(const multigrid::Hierarchy& hierarchy) {
   const multigrid::Problem& problem = hierarchy.problem;
   const core::Grid& grid = hierarchy.levels.back().grid.domain;
-  if (!grid.line || !problem.far_field) return 0.0;
+  if (!problem.geometry.kernel.plane || !problem.far_field) return 0.0;
   const reynolds::FarState state{
       .H00 = hierarchy.H00, .speed = 1.0 / hierarchy.far_motion.mobility, .flow = hierarchy.far_motion.flow};
   const kernel::Kernel& kernel = problem.geometry.kernel;

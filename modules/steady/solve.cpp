@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "reynolds/flux.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/passes.hpp"
@@ -25,7 +26,8 @@ constexpr double brim = std::numeric_limits<double>::infinity();
 // On a line contact no oil flows aside: a supply above the flow through the contact fills the gap as far as the domain
 // reaches, which is the flooded contact. From other states the cycles would fill the gap node by node.
 bool more_than_goes_through(const Scene& scene, const Solution& flooded) {
-  return scene.grid.line && flooded.converged && scene.supply(0.0) >= flooded.verification.flow_through;
+  return !reynolds::flows_aside(scene.grid) && flooded.converged &&
+         scene.supply(0.0) >= flooded.verification.flow_through;
 }
 
 // Scales the supply on coarse grids by their own flooded film.
@@ -48,12 +50,12 @@ Solution solve_starved(const Scene& scene, const ProgressCallback& progress) {
   const auto find = [](const Scene& one, const ProgressCallback& part) { return solve_by_strategies(one, part); };
   const ProgressCallback rest = multigrid::part_of(progress, share_of_flooded, 1.0);
   Scene starved = scene;
-  if (scene.grid.line && flooded.converged) starved.supply_share = share_by_film(flooded);
+  const bool all_goes_through = !reynolds::flows_aside(scene.grid) && flooded.converged;
+  if (all_goes_through) starved.supply_share = share_by_film(flooded);
   if (more_than_goes_through(scene, flooded)) starved.supply = [](double) { return brim; };
-  Solution solution =
-      scene.passes.number > 1
-          ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
-          : solve_by_strategies(starved, rest, scene.grid.line && flooded.converged ? &flooded : nullptr);
+  Solution solution = scene.passes.number > 1
+                          ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
+                          : solve_by_strategies(starved, rest, all_goes_through ? &flooded : nullptr);
   if (!solution.converged && starved.supply_share) {
     // For heavily loaded line contacts the same supply on all grids may converge if the scaled one does not.
     starved.supply_share = {};

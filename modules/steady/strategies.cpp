@@ -9,6 +9,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "reynolds/flux.hpp"
 #include "steady/continuation.hpp"
 #include "steady/multigrid_solve.hpp"
 #include "steady/newton_fallback.hpp"
@@ -84,7 +85,8 @@ bool may_continue_load(const Search& search) {
 /// continuation does. [bench: load_continuation_of_slender]
 bool oil_is_astray(const Search& search) {
   const Scene& scene = search.scene;
-  if (search.next_start == 0 || !scene.supply || scene.grid.line || !may_continue_load(search)) return false;
+  if (search.next_start == 0 || !scene.supply || !reynolds::flows_aside(scene.grid) || !may_continue_load(search))
+    return false;
   return search.best ? !search.best->levels.back().solved() : elongated(scene.tuning, scene.contact.shape);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/norms.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -26,7 +27,7 @@ double largest_along_outlet(const Solution& solution) {
 
 double largest_along_sides(const Solution& solution) {
   double largest = 0.0;
-  if (solution.grid.line) return largest;
+  if (!reynolds::flows_aside(solution.grid)) return largest;
   for (int i = 0; i <= solution.grid.nx; ++i)
     largest = std::max({largest, solution.P(i, 1), solution.P(i, solution.grid.ny - 1)});
   return largest;

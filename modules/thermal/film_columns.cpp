@@ -35,7 +35,8 @@ struct Answer {
 Answer answer_of(const Setup& setup, const Body& body) {
   if (body.resistance == 0.0) return {};
   const core::Grid& grid = setup.patch.domain;
-  const bool strips = grid.line && !setup.lines;
+  const bool infinite = grid.line;
+  const bool strips = infinite && !setup.lines;
   Answer answer;
   if (!strips) {
     const double Pe = setup.lines ? body.Pe : std::max(body.Pe, slowest_line);
@@ -43,7 +44,7 @@ Answer answer_of(const Setup& setup, const Body& body) {
     for (double& w : answer.marched) w *= body.resistance;
   }
   const auto bring = [&] {
-    if (!grid.line || grid.X_a >= 0.0) return;
+    if (!infinite || grid.X_a >= 0.0) return;
     answer.before = before_inlet(setup.patch, answer.marched, body.Pe, body.resistance);
   };
   if (setup.lines) {
@@ -51,7 +52,7 @@ Answer answer_of(const Setup& setup, const Body& body) {
     return answer;
   }
   SourceTable table =
-      moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(), strips ? INFINITY : grid.hy(), body.Pe);
+      moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(), grid.between_lines(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
   if (strips)
     answer.marched = take_downstream(table);
@@ -152,8 +153,7 @@ void FilmColumns::start_from(const FilmColumns& coarse, const FilmColumns* coars
         (this->*field)(i, j) =
             start(i, j, [field](const FilmColumns& film, int ci, int cj) { return (film.*field)(ci, cj); });
     }
-  if (patch.domain.line)
-    for (int i = 0; i <= patch.nx; ++i) keep_fluxes(i);
+  for (int i = 0; i <= patch.nx; ++i) keep_fluxes(i);
   before_ = theta_;
   apply_sources();
 }
@@ -174,7 +174,7 @@ void FilmColumns::store(int batch, int i, const Columns& at) {
     core::store(&theta_[index(batch, i, k)], at.theta[static_cast<std::size_t>(k)]);
   core::store_lines(setup_.patch, q_1_, i, j, at.q_1);
   core::store_lines(setup_.patch, q_2_, i, j, at.q_2);
-  if (setup_.patch.domain.line) keep_fluxes(i);
+  keep_fluxes(i);
 }
 
 // Stores what the Reynolds equation and the report need of a column.

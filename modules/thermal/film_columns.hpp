@@ -1,6 +1,7 @@
 #pragma once
 // Columns of a film, batch by batch: the implementation of FilmTemperature, with the same functions
 // (film_temperature.hpp).
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,7 @@ class FilmColumns {
   // Index of node k of column (i, j). All lines of a line contact are equal and form one batch, even if there are fewer
   // lanes than lines.
   std::size_t place(int i, int j, int k) const {
-    return index(setup_.patch.domain.line ? 0 : j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes);
+    return index(std::min(j / core::lanes, batches_ - 1), i, k) + static_cast<std::size_t>(j % core::lanes);
   }
   double value(const std::vector<double>& f, int i, int j, int k) const { return f[place(i, j, k)]; }
   void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;

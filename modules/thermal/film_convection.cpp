@@ -64,7 +64,7 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
   rheology::heat_capacity(setup_.heat, lane_span(at.P), lane_span(at.theta[n / 2]),
                           {reinterpret_cast<double*>(&rho_c), core::lanes});
   const Lanes scale = setup_.Pe * at.H * rho_c / core::load(rho_bar_.at_x(i) + j);
-  const double hx = 1.0 / patch.hx(), hy = 1.0 / patch.hy();
+  const double hx = 1.0 / patch.hx(), hy = 1.0 / patch.domain.between_lines();
   const int west_i = std::max(i - 1, 0), east_i = std::min(i + 1, patch.nx);
   const std::vector<double>& from_west = downstream ? theta_ : before_;
   const std::vector<double>& from_east = downstream ? before_ : theta_;
@@ -82,7 +82,7 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
     const Lanes in_west = positive(west), in_east = positive(-east);
     Lanes in = fresh * in_west + in_east, brought = fresh * in_west * theta_west + in_east * theta_east,
           leaves = east - west;
-    if (!patch.domain.line) {
+    if (hy > 0.0) {
       const Lanes own_across = core::load(&flow_y_[index(batch, i, node)]);
       const Lanes to_south = (0.5 * hy) * (south(flow_y_, batch, i, node, own_across) + own_across);
       const Lanes to_north = (0.5 * hy) * (own_across + north(flow_y_, batch, i, node, -1.0, own_across));

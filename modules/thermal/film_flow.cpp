@@ -57,18 +57,19 @@ void FilmColumns::load(int batch, int i, const std::vector<double>& theta, Colum
 void FilmColumns::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
+  const bool line = patch.domain.line;
   // At the last X position of a line contact vector loads reach beyond the lines; at the others they reach into the
   // next position, which has its own values.
   const int widest = std::max(batches_ * core::lanes, patch.nodes_y());
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
-    const int lines = patch.domain.line && i < patch.nx ? patch.nodes_y() : widest;
+    const int lines = line && i < patch.nx ? patch.nodes_y() : widest;
     for (int j = 0; j < lines; ++j) {
       const bool inside = j <= patch.ny;
       P_(i, j) = inside ? P(i, j) : 0.0;
       H_(i, j) = inside ? std::max(H(i, j), least_film) : 1.0;
     }
-    if (patch.domain.line) {
+    if (line) {
       core::fill_ghosts(patch, P_.at_x(i));
       core::fill_ghosts(patch, H_.at_x(i));
     }
@@ -77,7 +78,7 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
     rheology::log_viscosity(setup_.viscosity, here, {log_eta_.at_x(i), count_of_lines});
     rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), count_of_lines});
     rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), count_of_lines});
-    if (patch.domain.line)
+    if (line)
       for (core::Field* field : {&log_eta_, &rho_bar_, &k_bar_}) core::fill_ghosts(patch, field->at_x(i));
   }
   fill(theta);

@@ -20,6 +20,7 @@ double FilmColumns::marched(const std::vector<double>& weights, const std::vecto
 
 // Stores the fluxes into the surfaces at position i of a line contact for marched().
 void FilmColumns::keep_fluxes(int i) {
+  if (upstream_1_.empty()) return;
   const auto place = static_cast<std::size_t>(setup_.patch.nx - i);
   upstream_1_[place] = q_1_(i, 1);
   upstream_2_[place] = q_2_(i, 1);

@@ -76,17 +76,13 @@ void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::F
   const auto at = [&](int i, int J) {
     return i % 2 == 0 ? coarse(i / 2, J) : half_way([&](int I) { return coarse(I, J); }, i / 2, last_x);
   };
-  if (grid.north == core::Edge::uniform) {
-    for (int i = 0; i < fine.nodes_x(); ++i)
-      for (int j = 0; j < fine.nodes_y(); ++j) fine(i, j) = at(i, j);
-    return;
-  }
+  const int every = grid.domain.finer_lines();
   std::vector<double> row(static_cast<std::size_t>(coarse.nodes_y()));  // one column of the fine grid at the coarse Y
   for (int i = 0; i < fine.nodes_x(); ++i) {
     for (int J = 0; J <= last_y; ++J) row[static_cast<std::size_t>(J)] = at(i, J);
     const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J <= last_y ? J : grid.holder(J))]; };
     for (int j = 0; j < fine.nodes_y(); ++j)
-      fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, grid.domain.ny);
+      fine(i, j) = every == 1 ? at(i, j) : j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, grid.domain.ny);
   }
 }
 

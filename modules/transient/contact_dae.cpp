@@ -10,6 +10,7 @@
 #include "multigrid/cycle.hpp"
 #include "multigrid/cycles.hpp"
 #include "multigrid/mass_balance.hpp"
+#include "reynolds/flux.hpp"
 #include "transient/nodes.hpp"
 
 namespace ehl::transient {
@@ -35,10 +36,10 @@ ContactDae::ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, co
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
   multigrid::update_residual(hierarchy, hierarchy.finest());
-  // For a line contact the outflow equals the inflow and is the safer measure: if more oil is supplied than passes, the
-  // steady film is the flooded one, and the thin supplied layer leaves the domain through the inlet.
+  // Where nothing flows aside, the outflow equals the inflow and is the safer measure: if more oil is supplied than
+  // passes, the steady film is the flooded one, and the thin supplied layer leaves the domain through the inlet.
   const reynolds::OilBalance flow = multigrid::oil_of(hierarchy, hierarchy.finest());
-  inlet_ = grid.domain.line ? flow.out : flow.in;
+  inlet_ = reynolds::flows_aside(grid) ? flow.in : flow.out;
 }
 
 // The nodes near the contact, which make up the error norm: with equal weights outside the mean would hide the error at

@@ -65,9 +65,10 @@ bool ContactDae::newton_can() const {
 }
 
 // With a strong squeeze the load is corrected after the last cycle only: the common factor changes the film, times cj,
-// by more than a cycle reduces. Line contacts are always treated so, because their H00 would oscillate.
+// by more than a cycle reduces. Line contacts are always treated so: the level of a
+// half-plane's deformation is free, and H00 would oscillate.
 bool ContactDae::balanced_by_cycle(const Stage& stage) const {
-  return !hierarchy_.levels.back().grid.domain.line && stage.cj < control_.tuning.strong_squeeze;
+  return !hierarchy_.problem.geometry.kernel.plane && stage.cj < control_.tuning.strong_squeeze;
 }
 
 // measured: convergence factor; in: assumed for the first iteration, out: as last measured.

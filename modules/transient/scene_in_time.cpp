@@ -16,7 +16,7 @@ steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& condi
   if (conditions.conserves_mass && !scene.supply)
     scene.supply = [](double) { return std::numeric_limits<double>::infinity(); };
   if (scene.thinning) scene.thinning->k = conditions.thinning_k;
-  if (scene.grid.line) {
+  if (steady::geometry_of(scene).kernel.plane) {
     // Within the pressurised zone, relaxation at constant film would predict a wrong change of H00.
     scene.deformation.line_unit = conditions.tuning.unit_of_line * std::max(1.0, scene.contact.size);
     multigrid::RelaxationParameters& relaxation = scene.solver.relaxation;

@@ -72,7 +72,7 @@ void hold_all(HeldResult& result, const results::Content& content) {
 // A line contact may be solved as three equal grid lines; the interface shows the one line that the result file holds.
 const results::Content& as_kept(HeldResult& result) {
   const results::Content& content = *result.content;
-  if (!content.grid.line || content.grid.ny == 0) return content;
+  if (!results::has_copies(content)) return content;
   return result.line.emplace(content).content;
 }
 

@@ -1,5 +1,8 @@
 #include "case/catalogue.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "case/effects.hpp"
 #include "case/tuning_input.hpp"
 #include "case/unavailable.hpp"
@@ -45,7 +48,7 @@ deck::Catalogue collected() {
   for (const Effect& effect : effects()) {
     all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;
-    all.keys = deck::together({all.keys, effect.keys()});
+    std::ranges::move(effect.keys(), std::back_inserter(all.keys));
   }
   all.unavailable = unavailable();
   return all;

@@ -110,7 +110,7 @@ std::string summary(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   const auto in_newtons = [&](double mu) {
     if (!input.physics.si) return std::string();
-    const char* unit = input.scene.grid.line ? "N/m" : "N";
+    const char* unit = numbers::per_length(input) ? "N/m" : "N";
     return fmt::format(" ({:.3g} {})", mu * whole_load(*input.physics.si), unit);
   };
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
@@ -125,10 +126,10 @@ std::string what(const Case& input) {
 // The cost: columns of temperatures and heat flows, other fields, and the iterations between the film and the heat.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
-  constexpr double in_a_batch = 8.0;  // a line contact holds one batch of columns
-  const double nodes = grid.nodes_x() * (grid.line ? in_a_batch : 0.5 * grid.nodes_y());
+  // A line contact holds one batch of columns, of eight lines.
+  const auto [lines, times_isothermal] = grid.line ? std::pair(8.0, 13.0) : std::pair(0.5 * grid.nodes_y(), 5.0);
+  const double nodes = grid.nodes_x() * lines;
   constexpr double columns = 4.0, fields = 40.0;
-  const double times_isothermal = grid.line ? 13.0 : 5.0;
   return {.bytes = nodes * sizeof(double) * (columns * (input.heat->setup.intervals + 1) + fields),
           .seconds = times_isothermal * basic_needs(input.scene).seconds};
 }

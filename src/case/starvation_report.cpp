@@ -10,6 +10,7 @@
 #include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "effects/starvation/formulas.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::program {
 namespace {
@@ -87,7 +88,7 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
 std::string line_of_oil(const Case& input, const Starvation& found) {
   std::string text = fmt::format("             oil through the contact {:.6f} rho0 u_m a^2/R", found.through);
   if (input.physics.si) {
-    const SiUnit unit = si_unit(numbers::number_of(id::oil_in).unit.of(true), *si_scales(input.physics));
+    const SiUnit unit = si_unit(numbers::unit_of(id::oil_in, input), *si_scales(input.physics));
     text += fmt::format(" = {:.4g} {}", unit.factor * found.through, unit.name);
   }
   text += fmt::format("; imbalance {:.1e}\n", found.imbalance);
@@ -99,14 +100,13 @@ std::string line_of_oil(const Case& input, const Starvation& found) {
 }  // namespace
 
 double factor_by_meniscus(const Case& input, const Starvation& found) {
-  return !input.scene.grid.line && contact::circular(input.scene.contact.shape)
-             ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
-             : unknown;
+  return contact::circular(input.scene.contact.shape) ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
+                                                      : unknown;
 }
 
 double factor_by_supply(const Case& input, const Starvation& found) {
   const double r = found.supply_ratio;
-  return input.scene.grid.line ? std::fmin(r, 1.0) : starvation::by_supply(r, usual_gamma);
+  return reynolds::flows_aside(input.scene.grid) ? starvation::by_supply(r, usual_gamma) : std::fmin(r, 1.0);
 }
 
 std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution& solution) {
@@ -165,7 +165,7 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
           : fmt::format("starvation   no factor: the flooded contact beside it did not converge{}\n", mark);
   text += "             meniscus on y = 0 at x = " + length_text(input, found.meniscus_X) +
           fmt::format(", {} cells from the inlet boundary where it is nearest\n", found.cells_to_inlet);
-  if (input.scene.grid.line) return text + line_of_oil(input, found);
+  if (!reynolds::flows_aside(input.scene.grid)) return text + line_of_oil(input, found);
   text += fmt::format(
       "             oil in {:.5f} rho0 u_m a^3/R: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; "
       "imbalance {:.1e}\n",

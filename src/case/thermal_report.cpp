@@ -119,8 +119,7 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
       "             heat {0:.4g} {5} made, {1:.4g} {5} into body 1, {2:.4g} {5} into body 2, {3:.3g} {5} with the oil; "
       "imbalance {4:.0e}{6}\n",
       in.power * found.balance.heat, in.power * found.balance.into_1, in.power * found.balance.into_2,
-      in.power * found.balance.carried, std::abs(found.balance.defect),
-      numbers::number_of(id::heat_1).unit.of(input.scene.grid.line), mark);
+      in.power * found.balance.carried, std::abs(found.balance.defect), numbers::unit_of(id::heat_1, input), mark);
   text += fmt::format(
       "             film {:.3f} of the isothermal one; inlet heating by Wilson, Sheu 1983 {:.3f}, Gupta et "
       "al. 1992 {:.3f}{}{}\n",

@@ -166,11 +166,12 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
   const InSteps added = in_steps_of(input);
+  const bool line = numbers::per_length(input);  // and small enough for Newton's method
   content.tables.push_back(table_of("transient", "every accepted time step; ended " + how_it_ended(result.report),
                                     step_columns({.body = march.conditions.body.has_value(),
                                                   .oil = march.conditions.conserves_mass,
-                                                  .line = input.scene.grid.line,
-                                                  .newton = input.scene.grid.line},
+                                                  .line = line,
+                                                  .newton = line},
                                                  march.parameters.probes, added.numbers),
                                     result.rows));
   content.frames.group = "/transient/frames";

@@ -190,7 +190,7 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
       "longest allowed {:.3g}\n",
       report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), newton, report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
-  if (input.transient->conditions.conserves_mass) text += oil_line(result, input.scene.grid.line);
+  if (input.transient->conditions.conserves_mass) text += oil_line(result, numbers::per_length(input));
   text += fmt::format(
       "  load       largest error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields stored\n",
       report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps), result.frames.size());

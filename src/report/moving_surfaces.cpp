@@ -45,7 +45,7 @@ void warn_of_coarse(const Case& input, const CarriedSurface& one, core::Warnings
   const core::Grid& grid = input.scene.grid;
   const bool waves = feature->shape == surface::Feature::Shape::waviness;
   const double wanted = waves ? 30.0 : 8.0;
-  const double cells = feature->width / (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy()));
+  const double cells = feature->width / grid.longest_step();
   if (cells >= wanted) return;
   warnings.push_back(
       {"coarse-feature",

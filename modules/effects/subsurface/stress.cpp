@@ -93,7 +93,7 @@ void take_plane(const StressFields& stress, const core::Grid& grid, Quantity qua
 // Depth in cells within which the single cells of pressure are visible below a spike: the largest stress grows with the
 // mesh there, and parabolas overshoot. [bench: subsurface_felt]
 constexpr double felt = 2.0;
-double shallow(const core::Grid& grid) { return felt * (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy())); }
+double shallow(const core::Grid& grid) { return felt * grid.longest_step(); }
 
 Maximum fitted(const StressField& field, const Best& best, const std::vector<core::Field>& planes) {
   const core::Grid& grid = field.grid;

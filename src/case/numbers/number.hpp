@@ -104,6 +104,10 @@ void append(const std::string& group, Of solved, std::vector<Quantity>& list);
 /// The record with this name, the first one in the order of the groups, or with this path in the result file,
 /// "/transient/load". errors: std::logic_error: there is none.
 const Number& number_of(const std::string& name);
+/// True where a case reports forces, heat and oil per length of the contact.
+bool per_length(const Case& input);
+/// The unit of a number in this case.
+const std::string& unit_of(const std::string& name, const Case& input);
 /// Path in the result file: "/summary/Hc". errors: std::logic_error: there is no such number.
 std::string path_of(const std::string& name);
 /// Path of its relative error; empty: none is estimated.

@@ -51,7 +51,7 @@ Number number(const std::string& name, const Unit& unit, const std::string& mean
 
 inline const steady::Solution& solution(Of s) { return s.computed.solution; }
 inline bool in_SI(Of s) { return s.input.physics.si.has_value(); }
-inline bool of_line(Of s) { return s.input.scene.grid.line; }
+inline bool of_line(Of s) { return per_length(s.input); }
 
 /// The records, by group.
 std::vector<Number> row_numbers();

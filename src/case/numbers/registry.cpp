@@ -43,15 +43,17 @@ bool exists(bool (*on)(Of), const Number& one, Of s) {
   return one.value && (on == nullptr || on(s)) && (!one.only_if || one.only_if(s));
 }
 
-// True where a case is reported per length.
-bool per_length(const Unit& unit, const Case& input) {
-  return unit.also_of_rollers ? contact::line(input.physics.groups.shape) : input.scene.grid.line;
+const std::string& unit_in(const Number& one, const Case& input) {
+  return one.unit.of(one.unit.also_of_rollers ? contact::line(input.physics.groups.shape) : per_length(input));
 }
 
 Quantity made(const Group& in, const Number& one, Of s) {
-  return {one.in_file ? in.prefix + one.name : "",    one.value(s),
-          one.unit.of(per_length(one.unit, s.input)), one.meaning_here ? one.meaning_here(s) : one.meaning,
-          one.json.empty() ? one.name : one.json,     one.error};
+  return {one.in_file ? in.prefix + one.name : "",
+          one.value(s),
+          unit_in(one, s.input),
+          one.meaning_here ? one.meaning_here(s) : one.meaning,
+          one.json.empty() ? one.name : one.json,
+          one.error};
 }
 
 std::vector<Quantity> quantities(const Group& in, Of s) {
@@ -185,6 +187,10 @@ void append(const std::string& name, Of solved, std::vector<Quantity>& list) {
     if (one.name.empty() || std::ranges::find(list, one.name, &Quantity::name) == list.end())
       list.push_back(std::move(one));
 }
+
+bool per_length(const Case& input) { return input.scene.grid.line; }
+
+const std::string& unit_of(const std::string& name, const Case& input) { return unit_in(number_of(name), input); }
 
 const Number& number_of(const std::string& name) { return *record_of(name).number; }
 

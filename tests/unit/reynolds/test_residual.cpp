@@ -82,6 +82,31 @@ BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
     }
 }
 
+// In a line contact nothing varies along Y: its residual is that of a wide grid whose lines are all equal.
+BOOST_AUTO_TEST_CASE(a_line_contact_is_a_wide_one_whose_lines_are_equal) {
+  const Grid line = ehl::core::line_grid(37, -4.5, 1.5), wide{37, 12, -4.5, 1.5, -1.0, 1.0};
+  for (const reynolds::Transport transport :
+       {reynolds::Transport(Wedge::upstream1), reynolds::Transport(Wedge::upstream3, 0.7, 4.0)}) {
+    Random random(7);
+    Fields of_line = random_fields(line, random), of_wide = zero_fields(wide);
+    if (transport.wedge == Wedge::upstream3) of_line.face = of_wide.face = reynolds::Face::logmean;
+    for (Field Fields::*field :
+         {&Fields::P, &Fields::H, &Fields::rho_bar, &Fields::eps, &Fields::f, &Fields::third_order})
+      for (int i = 0; i <= wide.nx; ++i) std::ranges::fill((of_wide.*field).station(i), (of_line.*field)(i, 1));
+    Field r_line{Patch(line)}, r_wide(wide);
+    reynolds::residual(line, of_line.state(), transport, 1, r_line);
+    reynolds::residual(wide, of_wide.state(), transport, 1, r_wide);
+    double largest = 0.0, error = 0.0;
+    for (int i = 0; i <= line.nx; ++i) {
+      const double truth = r_wide(i, wide.ny / 2);
+      largest = std::max(largest, std::abs(truth));
+      for (const double r : r_line.station(i)) error = std::max(error, std::abs(r - truth));
+    }
+    BOOST_TEST_MESSAGE("line contact against equal lines: " << error / largest << " of the largest (tolerance 1e-14)");
+    BOOST_TEST(error / largest < 1e-14);
+  }
+}
+
 // theta = e^2/(1 + e^2), where e is the harmonic mean of epsilon/hx^2 divided by U.
 BOOST_AUTO_TEST_CASE(third_order_follows_the_weaker_of_two_nodes) {
   constexpr double hx = 0.1;
