@@ -25,7 +25,7 @@ do for [k = 1:2] {
   stats section(2, name(k)) matrix nonuniform using 3 nooutput prefix "B"
   do for [body = 1:2] {
     row = 2 * (k - 1) + body
-    eval box(m(14), m(24), m(12) + (panels - row) * share, m(top) + (row - 1) * share + m(11))
+    eval box(m(18), m(24), m(12) + (panels - row) * share, m(top) + (row - 1) * share + m(11))
     set xrange [*:*]
     set yrange [*:*]
     stats "< ".read.path(body, name(k))." --along x" using 1 nooutput prefix "X"
@@ -33,7 +33,7 @@ do for [k = 1:2] {
     set xtics steps_of(X_max - X_min)
     set yrange [D_max:0]
     set ytics steps_of(D_max) * 2
-    set ylabel axis_Z offset 1, 0
+    set ylabel axis_Z offset -0.5, 0
     set title sprintf("body %d: %s", body, of_what(k)) offset 0, -0.7
     if (row == panels) { set xlabel (si ? "x [µm]" : "x/a")." in the body, motion →" offset 0, 0.4 }
     set cbrange [0:greater(A_max, B_max)]

@@ -153,6 +153,7 @@ Json json(const Case& input, const Computed& computed) {
   add(list, report);
   add_in_SI(list, si_scales(input.physics), report);
   report["seconds"] = f.seconds;
+  if (computed.in_time) add(numbers::quantities("course of friction", {input, computed}), report);
   return report;
 }
 

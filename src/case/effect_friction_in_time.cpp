@@ -14,6 +14,35 @@
 
 namespace ehl::program {
 
+namespace {
+
+// A number over the time of a run; values that are not known are left out, and all are NaN if there is none.
+struct Course {
+  double least = core::unknown, largest = core::unknown;
+  double mean = core::unknown;  ///< over time, by the trapezoidal rule
+};
+
+Course course(const Case& input, const char* name, const TransientResult& run) {
+  const std::vector<double> values = course_of(input, name, run);
+  Course made;
+  double sum = 0.0, time = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    made.least = std::fmin(made.least, values[k]);
+    made.largest = std::fmax(made.largest, values[k]);
+    if (k == 0 || std::isnan(values[k - 1] + values[k])) continue;
+    const double length = run.rows[k].T - run.rows[k - 1].T;
+    sum += 0.5 * length * (values[k - 1] + values[k]);
+    time += length;
+  }
+  if (time > 0.0) made.mean = sum / time;
+  return made;
+}
+
+/// The columns whose course the reports show.
+constexpr const char* shown[] = {id::mu, id::mu_rolling, id::friction_power};
+
+}  // namespace
+
 namespace numbers {
 namespace {
 
@@ -26,6 +55,24 @@ Group friction_step_numbers() {
                    number(id::friction_power, {"F_0 u_m", "F_0' u_m"},
                           "power of the moving surfaces against the tractions, -(force_1 u1 + force_2 u2)",
                           label("friction power"))};
+  return group;
+}
+
+// Extremes and means, which the result file has as columns only.
+Group friction_course() {
+  Group group{.name = "course of friction"};
+  group.on = [](Of s) { return s.computed.in_time.has_value(); };
+  for (const char* of : shown) {
+    const Unit unit = of == id::friction_power ? Unit{"F_0 u_m", "F_0' u_m"} : Unit{"-"};
+    const auto add = [&](const char* what, double Course::*part) {
+      group.numbers.push_back(number(std::string(what) + "_" + of, unit, std::string(what) + " of the run in time",
+                                     json(std::string("in_time/") + of + "/" + what), not_in_file,
+                                     [of, part](Of s) { return course(s.input, of, *s.computed.in_time).*part; }));
+    };
+    add("least", &Course::least);
+    add("largest", &Course::largest);
+    add("mean", &Course::mean);
+  }
   return group;
 }
 
@@ -103,18 +150,6 @@ results::NamedField traction(const char* number) {
           std::string("shear stress of the film on surface ") + number + " along +x"};
 }
 
-// The mean over time, by the trapezoidal rule; NaN values are left out.
-double mean_over_time(const std::vector<double>& values, const std::vector<transient::StepRow>& rows) {
-  double sum = 0.0, time = 0.0;
-  for (std::size_t k = 1; k < rows.size(); ++k) {
-    if (std::isnan(values[k - 1] + values[k])) continue;
-    const double length = rows[k].T - rows[k - 1].T;
-    sum += 0.5 * length * (values[k - 1] + values[k]);
-    time += length;
-  }
-  return time > 0.0 ? sum / time : core::unknown;
-}
-
 }  // namespace
 
 InSteps friction_in_steps(const Case& input) {
@@ -142,7 +177,9 @@ InSteps friction_in_steps(const Case& input) {
   return made;
 }
 
-std::vector<numbers::Group> friction_step_numbers() { return {numbers::friction_step_numbers()}; }
+std::vector<numbers::Group> friction_step_numbers() {
+  return {numbers::friction_step_numbers(), numbers::friction_course()};
+}
 
 void settle_sliding_at_start(Case& input) {
   if (!input.transient) return;
@@ -162,22 +199,17 @@ void settle_sliding_at_start(Case& input) {
 
 std::string friction_in_time_summary(const Case& input, const Computed& computed) {
   if (!computed.in_time) return {};
-  const TransientResult& run = *computed.in_time;
   const std::optional<SiScales> si = si_scales(input.physics);
   std::string text;
-  for (const auto& [name, words] : {std::pair(id::mu, "mu sliding"), std::pair(id::mu_rolling, "rolling"),
-                                    std::pair(id::friction_power, "power")}) {
-    std::vector<double> values = course_of(input, name, run);
-    const double mean = mean_over_time(values, run.rows);
-    std::erase_if(values, [](double one) { return std::isnan(one); });
-    if (values.empty()) continue;
-    const auto [low, high] = std::ranges::minmax(values);
-    const numbers::Number& number = numbers::number_of(name);
-    const std::string& own = number.unit.of(input.scene.grid.line);
+  for (const char* name : shown) {
+    const Course of = course(input, name, *computed.in_time);
+    const std::string& own = numbers::number_of(name).unit.of(input.scene.grid.line);
     const SiUnit unit = si ? si_unit(own, *si) : SiUnit{own, 1.0};
-    text += fmt::format("{}{} {:.5g} to {:.5g}, mean over time {:.5g}{}\n",
-                        text.empty() ? "             in time: " : "                      ", words, low * unit.factor,
-                        high * unit.factor, mean * unit.factor, unit.name == "-" ? "" : " " + unit.name);
+    const char* words = name == id::mu ? "mu sliding" : name == id::mu_rolling ? "rolling" : "power";
+    text += fmt::format("{}{} {} to {}, mean over time {}{}\n",
+                        text.empty() ? "             in time: " : "                      ", words,
+                        known("{:.5g}", of.least * unit.factor), known("{:.5g}", of.largest * unit.factor),
+                        known("{:.5g}", of.mean * unit.factor), unit.name == "-" ? "" : " " + unit.name);
   }
   return text;
 }

@@ -247,7 +247,7 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
     entries.push_back(
         {"output", "fields", pick<std::string>(random, {"P", "P, H", "H P rho_bar", "P,H,rho_bar,ln_eta_bar"})});
   add_path(entries, random, ordinary);
-  if (random.chance(in_time ? 0.01 : 0.1)) add_subsurface(entries, random);
+  if (random.chance(0.1)) add_subsurface(entries, random);
   if (in_time) add_in_time(entries, random, si);
   if (at_rest) add_at_rest(entries, random, si);
   return entries;

@@ -121,7 +121,7 @@ void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random rand
   };
   vary(si ? 0.3 : 0.02, replace_oil);
   vary(in_time ? 0.01 : si ? 0.2 : 0.05, add_shear);
-  vary(in_time ? 0.01 : si ? 0.3 : 0.05, add_friction);
+  vary(si ? 0.3 : in_time ? 0.2 : 0.05, add_friction);
   const auto slides = [](const Entry& entry) { return entry.section == "shear" || entry.section == "friction"; };
   const bool moes = std::ranges::any_of(entries, [](const Entry& entry) { return entry.name == "M"; });
   if (moes && std::ranges::any_of(entries, slides))
