@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
@@ -141,16 +140,6 @@ std::string summary(const Case& input, const Computed& computed) {
   return text;
 }
 
-Json json(const Case& input, const Computed& computed) {
-  const Friction& f = *computed.friction;
-  Json report;
-  const std::vector<results::Quantity> list = numbers::quantities("friction", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
-  report["seconds"] = f.seconds;
-  return report;
-}
-
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
   const Friction& f = *computed.friction;
   if (f.parameters.keep_tau1)
@@ -217,7 +206,6 @@ Effect friction_effect() {
           .what = what,
           .expense = expense,
           .summary = summary,
-          .json = json,
           .warnings = [](const Case&, const Computed& computed) { return friction::warnings(*computed.friction); },
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.friction->seconds; },

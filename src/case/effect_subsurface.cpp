@@ -128,17 +128,12 @@ std::string summary(const Case& input, const Computed& computed) {
          body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds);
 }
 
-Json json(const Case& input, const Computed& computed) {
+void json(const Case&, const Computed& computed, Json& report) {
   const StressField& field = *computed.stresses;
-  Json report;
-  const std::vector<results::Quantity> list = numbers::quantities("stresses", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
   report["depth"] = field.depths.back();
   report["planes"] = field.depths.size();
   report[id::nx] = field.grid.nx;
   report[id::ny] = field.grid.ny;
-  return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
