@@ -6,10 +6,12 @@ load here."/result.gp"
 
 high = 60 * stretch
 eval page
-stats grid("P")." --along x --at y=0" using 1:2 nooutput prefix "P"
 film = dry ? "gap" : "H"
-stats grid(film)." --along x --at y=0" using (abs($1) < reach_x ? $2 : NaN) nooutput prefix "H"
-stats grid(film)." --along x --at y=0" using (abs($1) < 1.4 * reach_x ? $2 : NaN) nooutput prefix "F"
+load fields("P ".film, " --along x --at y=0", "node")
+stats $node_P using 1:2 nooutput prefix "P"
+node = "$node_".film
+stats @node using (abs($1) < reach_x ? $2 : NaN) nooutput prefix "H"
+stats @node using (abs($1) < 1.4 * reach_x ? $2 : NaN) nooutput prefix "F"
 left = -2.5 * reach_x > P_min_x ? -2.5 * reach_x : P_min_x
 right = 1.5 * reach_x < P_max_x ? 1.5 * reach_x : P_max_x
 set xlabel axis_X offset 0, 0.4
@@ -22,7 +24,9 @@ P_top = 1.12 * (P_max_y > p_h ? P_max_y : p_h)
 # Inside the contact, the film takes about a third of the height; outside, it leaves the panel at the top.
 film_top = H_median > 0.02 * F_max ? 3.5 * H_median : F_max
 # A gap of zero would be hidden by the axis, so the axis begins slightly below zero. Both zeros are at the same height.
-stats line(film, left, right) using 2 nooutput prefix "L"
+load lines("P ".film, left, right)
+between = "$line_".film
+stats @between using 2 nooutput prefix "L"
 under = greater(dry ? 0.03 : 0, -below_zero(L_min) / film_top)
 set yrange [-under * P_top:P_top]
 set y2range [-under * film_top:film_top]
@@ -33,5 +37,5 @@ set y2label axis_H textcolor rgb blue offset film_top < 1e4 ? -1 : -0.6, 0
 eval key_above
 set samples 4 * points + 1
 plot Hertz(x) axes x1y1 with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
-     line("P", left, right) using 1:2 axes x1y1 with lines lw 1 lc rgb red title si ? "p" : "P", \
-     line(film, left, right) using 1:2 axes x1y2 with lines lw 1 lc rgb blue title film eq "gap" ? "gap" : si ? "h" : "H"
+     $line_P using 1:2 axes x1y1 with lines lw 1 lc rgb red title si ? "p" : "P", \
+     @between using 1:2 axes x1y2 with lines lw 1 lc rgb blue title film eq "gap" ? "gap" : si ? "h" : "H"

@@ -11,30 +11,25 @@ load here."/result.gp"
 load here."/in_time.gp"
 if (!exists("shown_frames")) shown_frames = sprintf("%d", frame)
 unset datafile columnheaders
-plane = int(system(read."/grid/y | sed '/^#/d' | wc -l")) > 1 && found("/roller/y") eq ""
+plane = size_of("/grid/y") > 1 && found("/roller/y") eq ""
 if (plane) { load here."/window.gp" } else { left = -1.8 * reach_x; right = 1.4 * reach_x }
 
 # All frames share their axes: the film by film_scale.gp, the pressure by the highest of the course.
-map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
 load here."/film_scale.gp"
-set table $course
-plot grid("transient") using 1:2:3:6 with table
-unset table
-stats $course using 4 nooutput prefix "P"
+set datafile columnheaders
+stats $table_transient using "P_max" nooutput prefix "P"
 tallest = P_max > 0 ? 1.05 * P_max : 1
-stats $course using 2 nooutput prefix "C"
-stats $course using 3 nooutput prefix "M"
+stats $table_transient using "Hc" nooutput prefix "C"
+stats $table_transient using "Hm" nooutput prefix "M"
+unset datafile columnheaders
 begin = T(T_min)
 end = T_max > T_min ? T(T_max) : begin + 1
-# What all frames need is read once. Of the lines y = 0, each frame has `points` rows.
-all_lines(name) = sprintf("< %s/transient/frames/%s --along x --at y=0 --sample %d --window=%.9g:%.9g", read, name, points, left, right)
-set table $lines_H
-plot all_lines("H") using 2:3 with table
-set table $lines_P
-plot all_lines("P") using 2:3 with table
-unset table
-array times[frames]
-stats grid("/transient/frames/time") using (times[$0 + 1] = T($1), 0) nooutput prefix "F"
+# All frames that are shown are read at once, and that of the start: $line_H_0, $map_P_12.
+steps = " --step 0"
+do for [shown in shown_frames] { steps = steps.",".shown }
+both = "/transient/frames/H /transient/frames/P"
+load blocks(both, sprintf(" --along x --at y=0 --sample %d --window=%.9g:%.9g", points, left, right).steps, "line")
+if (plane) { load blocks(both, matrix_of(points / 2).steps, "map") }
 
 # A map has the shape of its window, within limits.
 tall = plane ? (wide - m(131)) * 2 * far / (right - left) : 0
@@ -45,8 +40,7 @@ lines = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(40
 maps = "eval box(panel == 1 ? m(17) : m(112), panel == 1 ? m(114) : m(19), m(78), m(top + 2))"
 eval page
 do for [shown in shown_frames] {
-  frame = int(shown)
-  now = times[frame + 1]
+  now = time_of(int(shown))
   set multiplot
   do for [panel = 1:2] {
     name = panel == 1 ? "H" : "P"
@@ -67,7 +61,7 @@ do for [shown in shown_frames] {
       set cbrange [panel == 1 ? (M_min > 0 ? inner(low, M_min) : low) : 0:panel == 1 ? highest : tallest]
       if (panel == 1 && far_apart) { set logscale cb; set format cb "10^{%L}" } else { unset logscale cb; set format cb "%g" }
       set colorbox user origin screen (wide - (panel == 1 ? m(113) : m(18))) / wide, m(78) / high size screen m(2.5) / wide, tall / high
-      plot field(name, points / 2) matrix nonuniform using 1:2:3 with image
+      eval sprintf("plot $map_%s_%s matrix nonuniform using 1:2:3 with image", name, shown)
       unset colorbox
     }
     @lines
@@ -76,13 +70,8 @@ do for [shown in shown_frames] {
     set ytics auto
     set yrange [panel == 1 ? below_zero(low) : 0:panel == 1 ? 1.2 * highest : tallest]
     if (panel == 1 && far_apart) { set logscale y; set format y "10^{%L}"; set yrange [low / 1.5:1.5 * highest] }
-    if (panel == 1) {
-      plot $lines_H every ::0::points - 1 using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
-           $lines_H every ::frame * points::(frame + 1) * points - 1 using 1:2 with lines lw 1 lc rgb blue
-    } else {
-      plot $lines_P every ::0::points - 1 using 1:2 with lines lw 0.8 dt (4, 3) lc rgb "#aaaaaa", \
-           $lines_P every ::frame * points::(frame + 1) * points - 1 using 1:2 with lines lw 1 lc rgb red
-    }
+    eval sprintf("plot $line_%s_0 using 1:2 with lines lw 0.8 dt (4, 3) lc rgb '#aaaaaa', \
+        $line_%s_%s using 1:2 with lines lw 1 lc rgb '%s'", name, name, shown, panel == 1 ? blue : red)
     @course
     set xlabel axis_T offset 0, 0.4
     set xrange [begin:end]
@@ -94,10 +83,10 @@ do for [shown in shown_frames] {
     if (panel == 1 && M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set ytics auto; set yrange [0.8 * M_min:1.2 * C_max] }
     if (panel == 1) {
       set key bottom right
-      plot $course using (T($1)):2 with lines lw 1 lc rgb blue title "centre", \
-           $course using (T($1)):3 with lines lw 1 lc rgb red title "minimum"
+      plot $table_transient every ::1 using (T($1)):2 with lines lw 1 lc rgb blue title "centre", \
+           $table_transient every ::1 using (T($1)):3 with lines lw 1 lc rgb red title "minimum"
     } else {
-      plot $course using (T($1)):4 with lines lw 1 lc rgb red
+      plot $table_transient every ::1 using (T($1)):6 with lines lw 1 lc rgb red
     }
   }
   unset multiplot

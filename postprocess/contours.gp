@@ -4,16 +4,22 @@ set contour base
 unset surface
 set cntrparam levels incremental step * ceil(low / step + 1e-9), step, highest
 set table $contours
-splot field(name, points / 2) matrix nonuniform using 1:2:3 with lines nosurface
+# A path ends with the name of its block.
+last_of(path) = (slash = strstrt(path, "/"), slash == 0 ? path : last_of(path[slash + 1:*]))
+load fields(name, matrix_of(points / 2), "half")
+half_of_name = "$half_".last_of(name)
+splot @half_of_name matrix nonuniform using 1:2:3 with lines nosurface
 unset table
 unset contour
 
 coarse = 40
 # The number of rows is proportional to the length of the contact.
-stats field(name, coarse) matrix nonuniform using 3 nooutput prefix "G"
+load fields(name, matrix_of(coarse), "coarse")
+coarse_of_name = "$coarse_".last_of(name)
+stats @coarse_of_name matrix nonuniform using 3 nooutput prefix "G"
 array flat[G_records]
 k = 0
-stats field(name, coarse) matrix nonuniform using (k = k + 1, flat[k] = $3, 0) nooutput prefix "G"
+stats @coarse_of_name matrix nonuniform using (k = k + 1, flat[k] = $3, 0) nooutput prefix "G"
 rows = k / coarse
 within(k, n) = k < 0 ? 0 : (k >= n ? n - 1 : k)
 node(i, j) = flat[1 + within(j, rows) * coarse + within(i, coarse)]

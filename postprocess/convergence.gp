@@ -7,9 +7,12 @@ when = ""
 load here."/result.gp"
 
 # The columns "level cycle residual load_error ..."; the cycles are numbered through all levels.
+load tables("history")
+set datafile columnheaders
 set table $cycles
-plot grid("history") using 0:1:3:4 with table
+plot $table_history using 0:1:3:4 with table
 unset table
+unset datafile columnheaders
 stats $cycles using 1:3 nooutput prefix "R"
 stats $cycles using 1:4 nooutput prefix "L"
 high = 60 * stretch

@@ -1,4 +1,4 @@
-# figure: order of accuracy: error against cells, one curve per way of the study
+# figure: order of accuracy: error against cells, one curve per method of the study
 # needs: study
 # on the page
 figure = "error_against_cells"

@@ -9,8 +9,11 @@ load here."/window.gp"
 # to its own largest value.
 half = (wide - m(edge)) / 2
 high = (half - m(16)) * 2 * far / (right - left) + m(14 + top)
-stats field("error_map_Hc", 300) matrix nonuniform using 3 nooutput prefix "C"
-stats field("error_map_Hm", 300) matrix nonuniform using 3 nooutput prefix "M"
+both = "error_map_Hc error_map_Hm"
+load fields(both, matrix_of(300), "coarse")
+load maps(both, 400)
+stats $coarse_error_map_Hc matrix nonuniform using 3 nooutput prefix "C"
+stats $coarse_error_map_Hm matrix nonuniform using 3 nooutput prefix "M"
 size(low, high) = -low > high ? -low : high
 of_Hc = size(C_min, C_max)
 of_Hm = size(M_min, M_max)
@@ -30,11 +33,11 @@ unset colorbox
 eval box(m(13), m(edge) + half, m(10), m(top + 4))
 set ylabel axis_Y offset label_Y, 0
 set label 1 "H_c" at graph 0.5, graph 1 offset 0, 0.6 center
-plot field("error_map_Hc", 400) matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
+plot $map_error_map_Hc matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
 unset label 100
 eval box(half + m(8), m(edge), m(10), m(top + 4))
 unset ylabel
 set label 1 "H_m"
 eval bar(m(10), m(top + 4))
-plot field("error_map_Hm", 400) matrix nonuniform using 1:2:(shown($3, of_Hm)) with image
+plot $map_error_map_Hm matrix nonuniform using 1:2:(shown($3, of_Hm)) with image
 unset multiplot

@@ -5,12 +5,13 @@ here = system(sprintf("dirname '%s'", ARG0))
 when = ""
 load here."/result.gp"
 
+load tables("passes tracks /passes/thin_layers")
 set datafile columnheaders
 unset tics
-stats table("passes") using "pass" nooutput prefix "N"
-stats table("passes") using "left" nooutput prefix "L"
-stats table("passes") using "Hm" nooutput prefix "M"
-stats table("passes") using "Hc" nooutput prefix "C"
+stats $table_passes using "pass" nooutput prefix "N"
+stats $table_passes using "left" nooutput prefix "L"
+stats $table_passes using "Hm" nooutput prefix "M"
+stats $table_passes using "Hc" nooutput prefix "C"
 set tics
 panel = 52 * stretch
 high = 2 * panel + m(top + 38)
@@ -31,11 +32,12 @@ if (low > 0) { eval "set logscale y; ".log_marks("y", low, highest) }
 set xlabel "passes n" offset 0, 0.4
 set ylabel axis_H offset 0.5, 0
 eval key_above
-formula = int(system(read."/passes/thin_layers | sed '/^#/d' | grep -vc nan")) > 0
-plot table("passes") using "pass":"left" with points pt 7 ps 0.8 lc rgb blue title "oil left, y = 0", \
-     table("passes") using "pass":(formula ? column("thin_layers") : NaN) with lines lw 0.9 dt 2 lc rgb blue title formula ? "thin layers" : "", \
-     table("passes") using "pass":"Hc" with points pt 6 ps 0.8 lc rgb red title "centre", \
-     table("passes") using "pass":"Hm" with points pt 4 ps 0.8 lc rgb green title "minimum"
+formula = 0
+do for [k = 1:|$table_thin_layers|] { formula = formula || $table_thin_layers[k] ne "nan" }
+plot $table_passes using "pass":"left" with points pt 7 ps 0.8 lc rgb blue title "oil left, y = 0", \
+     $table_passes using "pass":(formula ? column("thin_layers") : NaN) with lines lw 0.9 dt 2 lc rgb blue title formula ? "thin layers" : "", \
+     $table_passes using "pass":"Hc" with points pt 6 ps 0.8 lc rgb red title "centre", \
+     $table_passes using "pass":"Hm" with points pt 4 ps 0.8 lc rgb green title "minimum"
 
 # The track after 1, 2, 5, 10, 20 .. passes, and after the last.
 unset label 100
@@ -56,6 +58,6 @@ do for [n = 1:int(N_max)] { if (marked(n)) { list = list." ".n } }
 shade(k) = int(200 * (1 - k / (words(list) + 0.0)))
 ink(k) = shade(k) * 65536 + shade(k) * 256 + 255 * (k < words(list))
 set key at graph 0.5, graph 1.01 center bottom horizontal samplen 1.5 maxrows 2
-plot for [k = 1:words(list)] table("tracks") using "y":(column("pass") == real(word(list, k)) ? column("layer") : NaN) \
+plot for [k = 1:words(list)] $table_tracks using "y":(column("pass") == real(word(list, k)) ? column("layer") : NaN) \
     with lines lw (k == words(list) ? 1.4 : 0.9) lc rgb ink(k) title word(list, k)
 unset multiplot

@@ -1,12 +1,15 @@
 # Shared by the figures of a run in time: its times, its probes, and panels above each other.
-stats "< ".read."transient/time" using 1 nooutput prefix "T"
-stats "< ".read."/transient/frames/time" using 1 nooutput prefix "K"
+load tables("/transient /transient/frames/time")
+stats $table_time using 1 nooutput prefix "K"
 frames = int(K_records)
-time_of(k) = T(real(system(sprintf("%s /transient/frames/time | sed '/^#/d' | sed -n %dp", read, k + 1))))
+time_of(k) = T(real($table_time[k + 1]))
 set datafile columnheaders
+stats $table_transient using "time" nooutput prefix "T"
 # Columns P_1, H_1, ... ; the deck gives the place of each probe.
-probes = int(system(sprintf("%s transient | sed '/^#/!d' | tr ' ' '\n' | grep -c '^P_[0-9]'", read)))
-place(k) = "at (".system(sprintf("%s deck | sed -n 's/^probe = //p' | cut -d, -f%d | xargs | tr ' ' ','", read, k)).") a"
+probes = 0
+do for [one in $table_transient[1]] { probes = probes + (one[1:2] eq "P_" && one ne "P_max") }
+places = probes > 0 ? system(read."deck | sed -n 's/^probe = //p' | tr ',' '\n' | sed 's/^ *//;s/ *$//;s/  */,/g' | paste -s -d ' '") : ""
+place(k) = "at (".word(places, k).") a"
 probe_colour(k) = word("#e69f00 #009e73 #cc79a7 #56b4e9 #8c510a #444444", (k - 1) % 6 + 1)
 set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 # An axis for a quantity that may be constant: gnuplot warns of a range of zero length.

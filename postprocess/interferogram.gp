@@ -8,11 +8,12 @@ edge = 4
 load here."/window.gp"
 
 # The film in nanometres. Dimensionless results are drawn assuming h_c = 250 nm.
-film_nm = si ? 1.0 : 250.0 / abs(centre("H"))
+middle = centre("H")
+film_nm = si ? 1.0 : 250.0 / abs(middle)
 # Films too thick for the fringes of a lamp are shown as with a laser, in one colour.
-laser = film_nm * centre("H") > 1800
-note = si ? sprintf("h_c = %.0f nm%s", centre("H"), laser ? ", in light of 630 nm" : "") : \
-    sprintf("colours as if h_c = %.0f nm", film_nm * centre("H"))
+laser = film_nm * middle > 1800
+note = si ? sprintf("h_c = %.0f nm%s", middle, laser ? ", in light of 630 nm" : "") : \
+    sprintf("colours as if h_c = %.0f nm", film_nm * middle)
 if (number("/summary/Hm") < 0) { note = note.", red: below zero" }
 # Two beams, reflected at the coated glass and at the steel, with a path difference of 2 n h, n = 1.5. The contrast
 # decreases with the film because of the limited coherence of the lamp. Thin films are dark.
@@ -38,12 +39,14 @@ if (starved) {
   unset surface
   set cntrparam levels discrete 0.95
   set table $edge_of_oil
-  splot field("theta", 350) matrix nonuniform using 1:2:3 with lines nosurface
+  load fields("theta", matrix_of(350), "edge")
+  splot $edge_theta matrix nonuniform using 1:2:3 with lines nosurface
   unset table
   unset contour
   set surface
 }
 if (!starved) { set print $edge_of_oil; print "NaN NaN NaN"; set print }
-plot field("H", 700) matrix nonuniform using 1:2:(shade(film_nm * $3, 630.0)):(shade(film_nm * $3, 540.0)): \
+load maps("H", 700)
+plot $map_H matrix nonuniform using 1:2:(shade(film_nm * $3, 630.0)):(shade(film_nm * $3, 540.0)): \
     (shade(film_nm * $3, 460.0)) with rgbimage notitle, \
     $edge_of_oil using 1:2 with lines lw 0.8 lc rgb "white" notitle

@@ -1,10 +1,14 @@
 # Shared by film_contours and pressure_contours: a field over the contact in colours, with labelled contour lines.
 load here."/window.gp"
-stats field(name, points) matrix nonuniform using 3 nooutput prefix "F"
+load maps(name, points)
+map = "$map_".name
+stats @map matrix nonuniform using 3 nooutput prefix "F"
 low = name eq "P" ? 0 : F_min
 # Outside the contact the film grows without bound; films thicker than this are pale.
-thick = 1.7 * abs(centre(name))
-highest = exists("most") ? most : name eq "P" || F_max < thick ? F_max : thick
+if (exists("most")) { highest = most } else {
+  thick = name eq "P" ? F_max : 1.7 * abs(centre(name))
+  highest = F_max < thick ? F_max : thick
+}
 flat_field = !(highest > low)
 if (flat_field) { highest = low + 1; top = top + 4; high = high + m(4) } else { step = round_step((highest - low) / 5); load here."/contours.gp" }
 
@@ -24,9 +28,10 @@ eval bar(m(10), m(top))
 unset key
 if (flat_field) {
   set label 1 "the same everywhere" at graph 0.5, graph 1 offset 0, 0.6 center
-  plot field(name, 50) matrix nonuniform using 1:2:3 with image
+  load maps(name, 50)
+  plot @map matrix nonuniform using 1:2:3 with image
 } else {
-  plot field(name, points) matrix nonuniform using 1:2:3 with image, \
+  plot @map matrix nonuniform using 1:2:3 with image, \
        $contours using 1:2 with lines lw 0.4 lc rgb "#333333", \
        $labels using 1:2:3 with labels boxed font ",6"
 }

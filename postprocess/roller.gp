@@ -5,13 +5,14 @@ here = system(sprintf("dirname '%s'", ARG0))
 when = ""
 load here."/result.gp"
 
+load tables("roller roller_dry")
 set datafile columnheaders
 unset tics
-stats table("roller") using "y" nooutput prefix "Y"
-stats table("roller") using "P_max" nooutput prefix "P"
-stats table("roller_dry") using "P_max" nooutput prefix "D"
-stats table("roller") using "H_min" nooutput prefix "L"
-stats table("roller") using "H_c" nooutput prefix "H"
+stats $table_roller using "y" nooutput prefix "Y"
+stats $table_roller using "P_max" nooutput prefix "P"
+stats $table_roller_dry using "P_max" nooutput prefix "D"
+stats $table_roller using "H_min" nooutput prefix "L"
+stats $table_roller using "H_c" nooutput prefix "H"
 set tics
 panel = 50 * stretch
 high = 2 * panel + m(top + 49)
@@ -29,9 +30,9 @@ set y2tics auto
 set ytics nomirror
 set y2label "load per length over the mean"
 eval key_above
-plot table("roller") using "y":"P_max" with lines lw 1.4 lc rgb red title "highest pressure", \
-     table("roller_dry") using "y":"P_max" with lines lw 0.9 dt 2 lc rgb red title "dry", \
-     table("roller") using "y":"load" axes x1y2 with lines lw 1.0 lc rgb grey title "load"
+plot $table_roller using "y":"P_max" with lines lw 1.4 lc rgb red title "highest pressure", \
+     $table_roller_dry using "y":"P_max" with lines lw 0.9 dt 2 lc rgb red title "dry", \
+     $table_roller using "y":"load" axes x1y2 with lines lw 1.0 lc rgb grey title "load"
 
 # The gap grows without bound where the profile falls; the axis ends at twice the film in the middle.
 unset label 100
@@ -44,6 +45,6 @@ set ylabel axis_H offset 0.5, 0
 middle = real(system(sprintf("%s H --along y --at x=0 | sed '/^#/d' | awk '{line[NR] = $2} END {print line[int((NR + 1) / 2)]}'", read)))
 set yrange [below_zero(L_min):middle > 0 ? 2 * middle : H_max > 0 ? H_max : 1]
 if (L_min < 0) { set xzeroaxis lw 0.5 lc rgb grey }
-plot table("roller") using "y":"H_c" with lines lw 1.4 lc rgb blue title "film at x = 0", \
-     table("roller") using "y":"H_min" with lines lw 1.0 lc rgb green title "least film"
+plot $table_roller using "y":"H_c" with lines lw 1.4 lc rgb blue title "film at x = 0", \
+     $table_roller using "y":"H_min" with lines lw 1.0 lc rgb green title "least film"
 unset multiplot

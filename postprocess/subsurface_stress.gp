@@ -5,14 +5,17 @@ here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"
 
 name = "/subsurface/section/sigma_mises"
-stats "< ".read.name." --along x" using 1 nooutput prefix "A"
-stats "< ".read.name." --along z --at x=0" using 1 nooutput prefix "D"
+load blocks("/subsurface/section/x /subsurface/section/z", "", "axis")
+stats $axis_x using 1 nooutput prefix "A"
+stats $axis_z using 1 nooutput prefix "D"
 left = A_min > -1.8 * a ? A_min : -1.8 * a
 right = A_max < 1.8 * a ? A_max : 1.8 * a
 bottom = 0
 far = D_max / 2
-stats field(name, points) matrix nonuniform using 3 nooutput prefix "F"
-stats line("P", left, right) using 2 nooutput prefix "P"
+load maps(name, points)
+load lines("P", left, right)
+stats $map_sigma_mises matrix nonuniform using 3 nooutput prefix "F"
+stats $line_P using 2 nooutput prefix "P"
 # Label and symbol of the global maximum; the symbol is open if the maximum lies outside this section.
 where_to(axis) = number("/subsurface/largest_sigma_mises_".axis)
 x = where_to("x")
@@ -40,7 +43,7 @@ set ytics steps_of(P_max)
 set samples 4 * points + 1
 eval key_above
 plot Hertz(x) with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
-     line("P", left, right) using 1:2 with lines lw 1 lc rgb red title "pressure"
+     $line_P using 1:2 with lines lw 1 lc rgb red title "pressure"
 
 unset label 100
 set label 1 note at graph 0.5, graph 1 offset 0, 0.6 center
@@ -57,7 +60,7 @@ eval "set palette ".pressure_colours
 set cbrange [0:F_max]
 set cblabel si ? "σ_{Mises} [GPa]" : "σ_{Mises}/p_h"
 unset key
-plot field(name, points) matrix nonuniform using 1:2:3 with image, \
+plot $map_sigma_mises matrix nonuniform using 1:2:3 with image, \
      $contours using 1:2 with lines lw 0.4 lc rgb "#333333", \
      $labels using 1:2:3 with labels boxed font ",6"
 unset multiplot

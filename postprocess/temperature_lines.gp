@@ -5,10 +5,12 @@ here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"
 
 left = -2.5 * reach_x
-stats "< ".read."P --along x" using 1 nooutput prefix "A"
+load blocks("/grid/x", "", "axis")
+stats $axis_x using 1 nooutput prefix "A"
 right = A_max < 1.6 * reach_x ? A_max : 1.6 * reach_x
-stats line("T_max", left, right) using 2 nooutput prefix "T"
-stats line("P", left, right) using 2 nooutput prefix "P"
+load lines("T_max T_mid T1 T2 P", left, right)
+stats $line_T_max using 2 nooutput prefix "T"
+stats $line_P using 2 nooutput prefix "P"
 high = 62 * stretch + m(22 + top)
 eval page
 eval box(m(13), m(14), m(22), m(top))
@@ -22,8 +24,8 @@ set y2tics steps_of(P_max)
 set xlabel axis_along offset 0, 0.4
 set ylabel "T − T_{oil} [K]" offset 0.5, 0
 set y2label axis_P offset -0.5, 0
-plot line("T_max", left, right) using 1:2 with lines lw 1.4 lc rgb red title "film, hottest", \
-     line("T_mid", left, right) using 1:2 with lines lw 1 dt (6, 3) lc rgb red title "film, middle", \
-     line("T1", left, right) using 1:2 with lines lw 1 lc rgb blue title "surface 1", \
-     line("T2", left, right) using 1:2 with lines lw 1 lc rgb green title "surface 2", \
-     line("P", left, right) using 1:2 axes x1y2 with lines lw 0.8 lc rgb grey title "pressure"
+plot $line_T_max using 1:2 with lines lw 1.4 lc rgb red title "film, hottest", \
+     $line_T_mid using 1:2 with lines lw 1 dt (6, 3) lc rgb red title "film, middle", \
+     $line_T1 using 1:2 with lines lw 1 lc rgb blue title "surface 1", \
+     $line_T2 using 1:2 with lines lw 1 lc rgb green title "surface 2", \
+     $line_P using 1:2 axes x1y2 with lines lw 0.8 lc rgb grey title "pressure"

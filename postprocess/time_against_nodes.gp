@@ -9,13 +9,14 @@ load here."/result.gp"
 high = 62 * stretch + m(top)
 eval page
 eval box(m(14), m(4), m(10), m(top))
+load tables("levels")
 set datafile columnheaders
 nodes(nx, ny) = (nx + 1.0) * (ny + 1.0)
 # Full multigrid reaches a level after all coarser levels: the time of a solution on a level is the sum so far.
 sum = 0.0
 running(s) = (sum = sum + s, sum)
 set table $times
-plot table("levels") using (nodes(column("nx"), column("ny"))):(running(column("seconds"))) with table
+plot $table_levels using (nodes(column("nx"), column("ny"))):(running(column("seconds"))) with table
 unset table
 unset datafile columnheaders
 stats $times using 1 nooutput prefix "N"

@@ -6,8 +6,9 @@ when = ""
 load here."/result.gp"
 load here."/in_time.gp"
 
-varies(name) = (system(sprintf("%s transient/%s | sed '/^#/d' | sort -u | wc -l", read, name)) + 0) > 1
-driven = varies("load") || varies("speed")
+stats $table_transient using "load" nooutput prefix "L"
+stats $table_transient using "speed" nooutput prefix "S"
+driven = L_min < L_max || S_min < S_max
 panels = 2 + driven
 high = 36 * stretch * panels + m(top + 8)
 eval page
@@ -17,19 +18,19 @@ load here."/film_in_time.gp"
 eval panel(2)
 set ylabel axis_P offset 1, 0
 set yrange [*:*]
-stats table("transient") using "P_max" nooutput prefix "P"
+stats $table_transient using "P_max" nooutput prefix "P"
 if (P_max > 0) { set yrange [0:*] } else { set yrange [0:1] }
 set format x panels == 2 ? "%g" : ""
 if (panels == 2) { set xlabel axis_T offset 0, 0.4 }
-plot table("transient") using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
-     for [k = 1:probes] table("transient") using (T(column("time"))):(probes > 0 ? column(sprintf("P_%d", k)) : NaN) with lines lw 0.8 \
+plot $table_transient using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
+     for [k = 1:probes] $table_transient using (T(column("time"))):(probes > 0 ? column(sprintf("P_%d", k)) : NaN) with lines lw 0.8 \
          lc rgb probe_colour(k) title probes > 0 ? place(k) : ""
 if (driven) {
   eval panel(3)
   set format x "%g"
   set xlabel axis_T offset 0, 0.4
   set ylabel "over the start"
-  plot table("transient") using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
-       table("transient") using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed"
+  plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
+       $table_transient using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed"
 }
 unset multiplot

@@ -12,9 +12,12 @@ shown = frames < 6 ? frames : 6
 frame(k) = shown > 1 ? int(floor((k * (frames - 1.0)) / (shown - 1) + 0.5)) : 0
 left = -1.75 * reach_x
 right = 1.4 * reach_x
-at_time(name, k) = sprintf("< %s/transient/frames/%s --step %d --along x --at y=0 --sample 1000 --window=%.9g:%.9g", \
-    read, name, frame(k), left, right)
-map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
+steps = "0"
+do for [k = 0:shown - 1] { steps = steps.sprintf(",%d", frame(k)) }
+load blocks("/transient/frames/H /transient/frames/P", \
+    sprintf(" --along x --at y=0 --sample 1000 --window=%.9g:%.9g --step %s", left, right, steps), "line")
+curve(name, k, text) = sprintf("%s $line_%s_%d using 1:2:(%d) with lines lw 1 lc palette %s", \
+    k > 0 ? "," : "plot", name, frame(k), k, text)
 load here."/film_scale.gp"
 panels = 2
 high = 84 * stretch + m(top + 20)
@@ -31,8 +34,9 @@ eval panel(1)
 set format x ""
 set ylabel axis_H offset 1, 0
 if (far_apart) { set logscale y; set format y "10^{%L}"; set ylabel axis_H offset 0, 0; set yrange [low / 1.5:highest * 1.5] } else { set yrange [below_zero(low):1.4 * highest] }
-plot for [k = 0:shown - 1] at_time("H", k) using 1:2:(k) with lines lw 1 lc palette \
-    title sprintf("%s%.3g", k == 0 ? axis_T." = " : "", time_of(frame(k)))
+films = ""
+do for [k = 0:shown - 1] { films = films.curve("H", k, sprintf("title '%s%.3g'", k == 0 ? axis_T." = " : "", time_of(frame(k)))) }
+eval films
 unset logscale y
 set format y "% h"
 eval panel(2)
@@ -40,9 +44,14 @@ unset key
 set format x "%g"
 set xlabel axis_X offset 0, 0.4
 set ylabel axis_P offset 1, 0
-tallest = 0
 set yrange [*:*]
-do for [k = 0:shown - 1] { stats at_time("P", k) using 2 nooutput prefix "P"; tallest = P_max > tallest ? P_max : tallest }
+tallest = 0
+pressures = ""
+do for [k = 0:shown - 1] {
+  eval sprintf("stats $line_P_%d using 2 nooutput prefix 'P'", frame(k))
+  tallest = greater(P_max, tallest)
+  pressures = pressures.curve("P", k, "")
+}
 if (tallest > 0) { set yrange [0:*] } else { set yrange [0:1] }
-plot for [k = 0:shown - 1] at_time("P", k) using 1:2:(k) with lines lw 1 lc palette
+eval pressures
 unset multiplot

@@ -10,7 +10,7 @@ unset datafile columnheaders
 
 left = -1.5 * reach_x
 right = 1.25 * reach_x
-map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 300 --window=%.9g:%.9g", read, left, right)
+samples = 300
 load here."/film_scale.gp"
 high = 75 * stretch + m(top)
 eval page
@@ -28,4 +28,4 @@ eval "set palette ".film_colours
 set view map
 # The times need not be evenly spaced.
 set pm3d map interpolate 1, 4
-splot map using 2:(T($1)):3 with pm3d notitle
+splot $course_H using 2:(T($1)):3 with pm3d notitle

@@ -13,7 +13,6 @@ load here."/in_time.gp"
 load here."/window.gp"
 unset datafile columnheaders
 
-map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
 load here."/film_scale.gp"
 top = top + 5
 high = high + m(5)
@@ -44,7 +43,8 @@ do for [pass = 1:(exists("frames_in") ? 2 : 1)] {
     eval headed
     set label 101 sprintf("%s = %.3g", axis_T, time_of(k)) at graph 0.5, graph 1 offset 0, 0.6 center
     frame = k
-    plot field("H", 300) matrix nonuniform using 1:2:3 with image notitle
+    load maps("H", 300)
+    plot $map_H matrix nonuniform using 1:2:3 with image notitle
   }
   set output
 }

@@ -17,13 +17,13 @@ set format x ""
 set logscale y
 set format y "10^{%T}"
 set ylabel seconds ? "step [ms]" : "step [a/u_m]"
-plot table("transient") using (T(column("time"))):(column("step") > 0 ? T(column("step")) : NaN) with lines lw 1 lc rgb blue
+plot $table_transient using (T(column("time"))):(column("step") > 0 ? T(column("step")) : NaN) with lines lw 1 lc rgb blue
 unset logscale y
 set format "%g"
 eval panel(2)
 set xlabel axis_T offset 0, 0.4
 set yrange [0:*]
 set ylabel "cycles, order"
-plot table("transient") using (T(column("time"))):"cycles" with points pt 7 ps 0.5 lc rgb red title "cycles", \
-     table("transient") using (T(column("time"))):"order" with points pt 7 ps 0.3 lc rgb grey title "order"
+plot $table_transient using (T(column("time"))):"cycles" with points pt 7 ps 0.5 lc rgb red title "cycles", \
+     $table_transient using (T(column("time"))):"order" with points pt 7 ps 0.3 lc rgb grey title "order"
 unset multiplot

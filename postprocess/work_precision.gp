@@ -50,7 +50,7 @@ set grid ytics lc rgb "#dddddd"
 set xlabel "seconds" offset 0, 0.3
 set key at graph 0.98, graph 0.97 right top samplen 2
 set label 25 "seconds: ".said("times")."; ".said("machine") at screen 0.5, 1 - m(8) / high center noenhanced font ",6"
-set label 26 "small: every way of the study; line: nothing cheaper is as accurate; numbers: seconds to 1, 0.1, 0.01 %; \
+set label 26 "small: every method of the study; line: nothing cheaper is as accurate; numbers: seconds to 1, 0.1, 0.01 %; \
 grey: below the error of the reference" at screen 0.5, m(3) / high center font ",6"
 do for [panel = 1:2] {
   name = panel == 1 ? "Hc" : "Hm"

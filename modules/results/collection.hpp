@@ -11,9 +11,6 @@ namespace ehl::results {
 /// Attribute `format` of such a file.
 constexpr char collection_format[] = "ehl sweep";
 
-/// First bytes of a journal of results, from which a collection is made later.
-constexpr char journal_mark[] = "ehlkept1";
-
 /// Name of a result within a collection: "/cases/12".
 std::string member_name(std::size_t number);
 

@@ -72,9 +72,6 @@ std::string foreign_to(FileKind kind, const std::string& path) {
   }
   const std::string text = beginning_of(path);
   switch (kind) {
-    case FileKind::journal:  // after a kill it may be shorter than its mark
-      return unless(std::string_view(journal_mark).starts_with(text.substr(0, sizeof journal_mark - 1)),
-                    "is not a journal of stored results");
     case FileKind::xdmf: return unless(text.find("<Xdmf") != std::string::npos, "is not an XDMF file");
     case FileKind::table:
       return unless(text.starts_with("# ehl sweep") || text.starts_with("# ehl study"),

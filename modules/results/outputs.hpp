@@ -7,7 +7,7 @@
 namespace ehl::results {
 
 /// Kinds of files written by this program. A file is recognized by its content, not by its name.
-enum class FileKind { result, kept_results, journal, xdmf, table, page, picture };
+enum class FileKind { result, kept_results, xdmf, table, page, picture };
 
 /// Reason why a file may not be replaced by one of this kind, "is no result of ehl"; empty if it may, because it does
 /// not exist, is empty, or is of this kind. errors: core::FileError if it cannot be read.

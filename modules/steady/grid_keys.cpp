@@ -161,8 +161,8 @@ AccuracyTarget read_accuracy(deck::Deck& deck) {
   if (!grid.given("accuracy")) return target;
   if (grid.given("cells"))
     grid.complain("accuracy",
-                  "and cells are both given: keep one of them. accuracy chooses the cells itself; --unset grid.cells "
-                  "removes them from the deck");
+                  "cells is given as well: keep one of them. accuracy chooses the cells itself; --unset grid.cells "
+                  "removes the key from the deck");
   // The part of the domain that the deck leaves open may grow.
   const deck::Part domain{deck, "domain"};
   target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);

@@ -112,7 +112,7 @@ struct StressCourse {
 /// The contact, and the results of each effect.
 struct Computed {
   std::string unsolved{};       ///< why there is nothing to show; empty if there is a solution, converged or not
-  steady::Solution solution{};  ///< for a dry contact only the grid, P and whether it converged
+  steady::Solution solution{};  ///< for a dry contact only what it has in common with a film
   std::optional<dry::Solution> dry{};
   Outcome outcome{};
   DerivedFields derived{};

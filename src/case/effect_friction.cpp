@@ -146,15 +146,9 @@ std::string summary(const Case& input, const Computed& computed) {
   return text + friction_in_time_summary(input, computed);
 }
 
-Json json(const Case& input, const Computed& computed) {
-  const Friction& f = *computed.friction;
-  Json report;
-  const std::vector<results::Quantity> list = numbers::quantities("friction", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
-  report["seconds"] = f.seconds;
+// The course of the friction in time.
+void json(const Case& input, const Computed& computed, Json& report) {
   if (computed.in_time) add(numbers::quantities("course of friction", {input, computed}), report);
-  return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {

@@ -1,7 +1,6 @@
 // The effect `roller`: rollers of finite length.
 #include <fmt/core.h>
 
-#include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
@@ -113,15 +112,6 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
                       });
 }
 
-Json json(const Case& input, const Computed& computed) {
-  Json report;
-  const std::vector<results::Quantity> list = numbers::quantities("roller", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
-  report["seconds"] = computed.roller->seconds;
-  return report;
-}
-
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
   numbers::append("roller", {input, computed}, content.summary);
   content.tables.push_back(
@@ -144,7 +134,6 @@ Effect roller_effect() {
           .expense = expense,
           .asymmetry = asymmetry,
           .summary = roller_summary,
-          .json = json,
           .warnings = [](const Case&, const Computed& computed) { return roller_warnings(*computed.roller); },
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.roller->seconds; },

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
@@ -100,14 +99,6 @@ std::string summary(const Case&, const Computed& computed) {
       computed.solution.converged ? "" : "  (NOT CONVERGED)");
 }
 
-Json json(const Case& input, const Computed& computed) {
-  if (!computed.flow) return nullptr;
-  Json report;
-  add(numbers::quantities("shear", {input, computed}), report);
-  report["seconds"] = computed.flow->found.seconds;
-  return report;
-}
-
 // Warnings about the friction, which [friction] gives itself.
 core::Warnings warnings(const Case& input, const Computed& computed) {
   return input.friction || !computed.flow ? core::Warnings{} : computed.flow->friction_warnings;
@@ -138,7 +129,6 @@ Effect shear_effect() {
           .idle = idle,
           .expense = expense,
           .summary = summary,
-          .json = json,
           .warnings = warnings,
           // Thinning by sliding is part of every evaluation of the film and has no time of its own.
           .seconds = [](const Computed& computed) { return computed.flow ? computed.flow->found.seconds : NAN; },

@@ -88,15 +88,9 @@ Needs expense(const Case& input) {
           .seconds = (1.0 + input.scene.passes.number) * basic_needs(input.scene).seconds};
 }
 
-nlohmann::ordered_json json(const Case& input, const Computed& computed) {
-  Json report;
+void json(const Case& input, const Computed& computed, Json& report) {
   const steady::Solution& solution = computed.solution;
-  const std::vector<results::Quantity> list = numbers::quantities("starvation", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
-  if (solution.passes.empty()) return report;
-  report["track"] = rows_json(pass_columns(input, solution), solution.passes);
-  return report;
+  if (!solution.passes.empty()) report["track"] = rows_json(pass_columns(input, solution), solution.passes);
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {

@@ -144,20 +144,15 @@ std::string summary(const Case& input, const Computed& computed) {
          (computed.stress_course ? stress_course_summary(input, *computed.stress_course) : "");
 }
 
-Json json(const Case& input, const Computed& computed) {
-  if (!computed.stresses) return {};
+void json(const Case& input, const Computed& computed, Json& report) {
+  if (!computed.stresses) return;
   const StressField& field = *computed.stresses;
-  Json report;
-  const std::vector<results::Quantity> list = numbers::quantities("stresses", {input, computed});
-  add(list, report);
-  add_in_SI(list, si_scales(input.physics), report);
   report["depth"] = field.depths.back();
   report["planes"] = field.depths.size();
   report[id::nx] = field.grid.nx;
   report[id::ny] = field.grid.ny;
   for (const numbers::Group& history : stress_history_numbers())
     add(numbers::quantities(history.name, {input, computed}), report);
-  return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {

@@ -72,8 +72,7 @@ Needs expense(const Case& input) {
 }
 
 // The processing of each measured map, by the name of its section.
-nlohmann::ordered_json json(const Case& input, const Computed&) {
-  nlohmann::ordered_json report;
+void json(const Case& input, const Computed&, Json& report) {
   for (const CarriedSurface* one : carried(input.surfaces)) {
     if (!one->map) continue;
     const MapRecord& record = *one->map;
@@ -87,7 +86,6 @@ nlohmann::ordered_json json(const Case& input, const Computed&) {
                             {"Sq", record.rms},
                             {"Sa", record.mean}};
   }
-  return report;
 }
 
 }  // namespace

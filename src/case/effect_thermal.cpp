@@ -169,13 +169,8 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
                                     computed.heat->found.rows));
 }
 
-Json json(const Case& input, const Computed& computed) {
-  if (!computed.heat) return nullptr;
-  Json report;
-  add(numbers::quantities("thermal", {input, computed}), report);
-  report["levels"] = rows_json(thermal_columns(*input.heat), computed.heat->found.rows);
-  report["seconds"] = computed.heat->found.seconds;
-  return report;
+void json(const Case& input, const Computed& computed, Json& report) {
+  if (computed.heat) report["levels"] = rows_json(thermal_columns(*input.heat), computed.heat->found.rows);
 }
 
 core::Warnings warnings(const Case& input, const Computed& computed) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
 #include "deck/text.hpp"
@@ -140,15 +139,6 @@ Effect transient_effect() {
           .summary =
               [](const Case& input, const Computed& computed) {
                 return computed.in_time ? transient_summary(input, *computed.in_time) : "";
-              },
-          .json =
-              [](const Case& input, const Computed& computed) {
-                if (!computed.in_time) return Json();
-                const std::vector<results::Quantity> list = numbers::quantities("transient", {input, computed});
-                Json report;
-                add(list, report);
-                add_in_SI(list, si_scales(input.physics), report);
-                return report;
               },
           .add_content =
               [](const Case& input, const Computed& computed, results::Content& content) {

@@ -7,6 +7,7 @@
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
+#include "case/numbers/number.hpp"
 #include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "steady/multigrid_solve.hpp"
@@ -33,6 +34,19 @@ double own_seconds(const Effect& effect, const Computed& computed) {
 
 core::Warnings warnings_of(const Effect& effect, const Case& input, const Computed& computed) {
   return effect.warnings ? effect.warnings(input, computed) : core::Warnings{};
+}
+
+// The JSON member of an effect; null if there is nothing in it.
+Json json_of(const Effect& effect, const Case& input, const Computed& computed) {
+  Json own;
+  if (effect.numbers) {
+    const std::vector<results::Quantity> list = numbers::quantities(effect.numbers().name, {input, computed});
+    add(list, own);
+    add_in_SI(list, si_scales(input.physics), own);
+  }
+  if (effect.json) effect.json(input, computed, own);
+  if (effect.seconds && !own.is_null()) own[id::seconds] = effect.seconds(computed);
+  return own;
 }
 
 // The additional cost of an effect: "2 MB and 0.1 s more".
@@ -176,7 +190,7 @@ void add_effects(const Case& input, const Computed& computed, Json& report) {
   for (const Effect& effect : effects_of(input)) {
     const core::Warnings warnings = warnings_of(effect, input, computed);
     add_warnings(warnings, report);
-    Json own = effect.json ? effect.json(input, computed) : Json();
+    Json own = json_of(effect, input, computed);
     if (own.is_null()) continue;
     if (effect.warnings) add_warnings(warnings, own);
     report[effect.name] = std::move(own);

@@ -99,7 +99,8 @@ struct Effect {
   Needs (*expense)(const Case& input) = nullptr;            ///< the cost in addition to the case without the effect
   std::string (*asymmetry)(const Case& input) = nullptr;    ///< why it breaks the symmetry in Y; empty if not
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< JSON member of its name
+  /// Adds to the JSON member of its name, which has its numbers, also in SI, and its seconds.
+  void (*json)(const Case& input, const Computed& computed, nlohmann::ordered_json& report) = nullptr;
   /// What a user must know about its numbers. Report, JSON, result file and C interface take it from here.
   core::Warnings (*warnings)(const Case& input, const Computed& computed) = nullptr;
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;

@@ -49,17 +49,19 @@ MapText divided(const std::string& text) {
   return divided;
 }
 
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::ranges::any_of(names, [&](const char* one) { return name == one; });
+}
+
 // Reads the headings of Gwyddion and other programs. in: map: its number of points along x and y must be set.
 void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
   for (const std::string& line : heading) {
     const auto [name, value] = entry_of(line, false);
     if (name == "width") map.dx_m = length_of(value) / map.heights.nx;
     if (name == "height") map.dy_m = length_of(value) / map.heights.ny;
-    if (name == "value units" || name == "z unit" || name == "z units" || name == "unit" || name == "units")
-      map.unit_m = metres_of(value);
-    if (name == "dx" || name == "x spacing" || name == "pixel size" || name == "lateral spacing")
-      map.dx_m = length_of(value);
-    if (name == "dy" || name == "y spacing") map.dy_m = length_of(value);
+    if (is_one_of(name, {"value units", "z unit", "z units", "unit", "units"})) map.unit_m = metres_of(value);
+    if (is_one_of(name, {"dx", "x spacing", "pixel size", "lateral spacing"})) map.dx_m = length_of(value);
+    if (is_one_of(name, {"dy", "y spacing"})) map.dy_m = length_of(value);
   }
   if (std::isnan(map.dy_m)) map.dy_m = map.dx_m;
 }
@@ -123,22 +125,18 @@ ReadHeights read_sdf(const std::vector<std::string>& lines, const std::string& n
   return map;
 }
 
-// ESRI's ASCII grid: six lines of "name value", then rows that begin with the largest y.
+// ESRI's ASCII grid: lines of "name value", then rows that begin with the largest y.
 ReadHeights read_esri(const std::vector<std::string>& lines, const std::string& name, double dx_m) {
   Entries heading;
   std::vector<TextLine> rows;
   for (std::size_t n = 0; n < lines.size(); ++n) {
     const std::string line = deck::trimmed(lines[n]);
-    if (line.empty()) continue;
-    if (rows.empty() && std::isalpha(static_cast<unsigned char>(line[0])) &&
-        !is_numbers(line.substr(0, line.find(' '))) && line.find_first_of(" \t") != std::string::npos &&
-        heading.all.size() < 6 && entry_of(line, true).first != "nan") {
-      auto entry = entry_of(line, true);
-      std::ranges::transform(entry.first, entry.first.begin(), [](unsigned char c) { return std::tolower(c); });
-      heading.all.push_back(std::move(entry));
-    } else {
+    const auto entry = entry_of(line, true);
+    if (rows.empty() && is_one_of(entry.first, {"ncols", "nrows", "cellsize", "dx", "dy", "nodata_value", "xllcorner",
+                                                "yllcorner", "xllcenter", "yllcenter"}))
+      heading.all.push_back(entry);
+    else if (!line.empty())
       rows.push_back({static_cast<int>(n) + 1, lines[n]});
-    }
   }
   const double nx = heading.number("ncols"), ny = heading.number("nrows"), cell = heading.number("cellsize");
   if (!is_count(nx) || !is_count(ny) || !(cell > 0.0)) return name + ": its heading lacks ncols, nrows or cellsize";

@@ -118,11 +118,11 @@ double time_of_roughness(const Case& input) {
 
 Needs expected_needs(const Case& input) {
   steady::Scene scene = input.scene;
-  if (!input.dry) scene.grid = predicted_grid(scene);
+  scene.grid = predicted_grid(scene);
   Needs basic = basic_needs(scene);
   basic.seconds *= time_of_roughness(input);
   Needs needs = with_effects(input, basic);
-  if (!input.dry && !std::isnan(scene.accuracy.error) && scene.accuracy.domain_is_free)
+  if (!std::isnan(scene.accuracy.error) && scene.accuracy.domain_is_free)
     for (const steady::Scene& coarse : steady::domain_series(input.scene)) needs.seconds += basic_needs(coarse).seconds;
   return needs;
 }
@@ -140,7 +140,7 @@ KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
 
 void bound_accuracy(Case& input) {
   steady::AccuracyTarget& target = input.scene.accuracy;
-  if (input.dry || std::isnan(target.error)) return;
+  if (std::isnan(target.error)) return;
   const auto nodes = [](const core::Grid& grid) { return static_cast<double>(grid.nodes_x()) * grid.nodes_y(); };
   Case finer = input;
   finer.scene.grid = core::refined(input.scene.grid);

@@ -192,8 +192,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   } else if (contact::line(groups.shape)) {
     settle_line_in_time(deck);
   }
-  scene.accuracy = steady::read_accuracy(deck);
   if (!result.dry) {
+    scene.accuracy = steady::read_accuracy(deck);
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
     scene.far_field = steady::read_far_field(deck, scene.tuning, groups.shape, steepest_load(deck, result.physics),
@@ -228,7 +228,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);
-    if (!result.dry && scene.contact.M > 0.0) check_domain(deck, scene);
+    if (scene.contact.M > 0.0) check_domain(deck, scene);
     check_memory(result);
     bound_accuracy(result);
   }

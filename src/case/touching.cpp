@@ -58,7 +58,7 @@ double smallest_smooth_film(const contact::Groups& groups) {
 }
 
 std::string why_they_touch(const Case& input) {
-  if (input.dry || input.transient || !(input.scene.contact.M > 0.0)) return {};
+  if (input.transient || !(input.scene.contact.M > 0.0)) return {};
   const double film = smallest_smooth_film(input.physics.groups);
   if (!(measured_roughness(input) > film)) return {};
   const double Sq = roughness_on_mesh(input);

@@ -81,14 +81,22 @@ std::string section(const FieldOnGrid& f, const std::string& column, const Argum
   return text;
 }
 
-std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
-  if (arguments.value("step", "") == "last") return count - 1;
-  const deck::ReadNumber read = deck::read_number(arguments.value("step", "0"));
-  const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
-  if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
-    refuse("--step " + arguments.value("step", "") + ": must be last or a whole number from 0 to " +
-           std::to_string(count - 1));
-  return static_cast<std::size_t>(read.value);
+// The fields of a dataset with `count` of them that --step asks for.
+std::vector<std::size_t> chosen_steps(const Arguments& arguments, std::size_t count) {
+  const std::string given = arguments.value("step", "");
+  if (given == "last") return {count - 1};
+  std::vector<std::string> words = deck::split_words(given);
+  if (words.empty()) words = {given};
+  std::vector<std::size_t> steps;
+  for (const std::string& one : words) {
+    const deck::ReadNumber read = deck::read_number(one);
+    const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
+    if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
+      refuse("--step " + given + ": must be last or a whole number from 0 to " + std::to_string(count - 1) +
+             ", or several of them with commas");
+    steps.push_back(static_cast<std::size_t>(read.value));
+  }
+  return steps;
 }
 
 // A section at every time or depth: blocks of lines "time position value", separated by blank lines.
@@ -140,20 +148,39 @@ std::string table(const ResultSource& source, const std::string& name) {
   return text;
 }
 
-// A group of single values, one per line.
+// A dataset with a single value, or the size of another one.
+std::string value_line(const ResultSource& source, const std::string& path, const std::string& said) {
+  if (source.file.kind(path) == Kind::text) {
+    const std::string text = source.file.text(path);
+    return said + (text.find('\n') == std::string::npos ? " \"" + text + "\"\n" : " (text)\n");
+  }
+  const std::vector<std::size_t> dims = source.file.dims(path);
+  const results::Array found = dims.empty() ? source.numbers(path) : source.described(path);
+  std::string value = dims.empty() ? column_number(found.values[0]) : "";
+  for (const std::size_t size : dims) value += (value.empty() ? "[" : "x") + std::to_string(size);
+  return said + " " + value + (dims.empty() ? "" : "]") + " \"" + found.unit + "\" \"" + found.meaning + "\"\n";
+}
+
+// The entries of a group, one per line.
 std::string list(const ResultSource& source, const std::string& name) {
   std::string text = "# name value unit meaning\n";
   for (const std::string& entry : source.file.names(name)) {
     const std::string whole = (name == "/" ? "" : name) + "/" + entry;
     const Kind kind = source.file.kind(whole);
-    if (kind == Kind::text) text += entry + " \"" + source.file.text(whole) + "\"\n";
-    if (kind == Kind::numbers) {
-      const bool single = source.file.dims(whole).empty();
-      const results::Array found = single ? source.numbers(whole) : source.described(whole);
-      const std::string value = single ? column_number(found.values[0]) : "(array)";
-      text += entry + " " + value + " \"" + found.unit + "\" \"" + found.meaning + "\"\n";
-    }
-    if (kind == Kind::group) text += entry + " (group)\n";
+    text += kind == Kind::group ? entry + " (group)\n" : kind == Kind::missing ? "" : value_line(source, whole, entry);
+  }
+  return text;
+}
+
+// All datasets of a group and of the groups in it. A damaged file may contain a group in itself.
+std::string contents(const ResultSource& source, const std::string& group) {
+  constexpr int deepest = 6;
+  std::string text;
+  for (const std::string& entry : source.file.names(group)) {
+    const std::string whole = (group == "/" ? "" : group) + "/" + entry;
+    const Kind kind = source.file.kind(whole);
+    if (kind == Kind::numbers || kind == Kind::text) text += value_line(source, whole, whole);
+    if (kind == Kind::group && std::ranges::count(whole, '/') < deepest) text += contents(source, whole);
   }
   return text;
 }
@@ -172,41 +199,97 @@ std::optional<std::size_t> wanted_case(const Arguments& arguments) {
   return static_cast<std::size_t>(whole_number(arguments, "case", 0, most, 0));
 }
 
+// The number of dimensions of a dataset: 2 for a field, 3 for fields of several times or depths.
+std::size_t rank(const ResultSource& source, const std::string& name) {
+  return source.file.kind(name) == Kind::numbers ? source.file.dims(name).size() : 0;
+}
+
+void check_options(const ResultSource& source, const std::vector<std::string>& names, const Arguments& arguments) {
+  const auto any = [&](std::size_t least) {
+    return std::ranges::any_of(names, [&](const std::string& name) { return rank(source, name) >= least; });
+  };
+  const std::string none = names.size() == 1 ? ", and " + names[0] + " is not a field"
+                                             : ", and there is none among " + deck::joined(names, ", ");
+  for (const char* option : {"along", "at", "matrix", "sample", "window"})
+    if (arguments.has(option) && !any(2)) refuse(std::string("--") + option + " applies to fields" + none);
+  if (arguments.has("matrix") && is_section(arguments)) refuse("either --matrix or --along and --at");
+  if (arguments.has("step") && !any(3)) refuse("--step applies to fields of several times or depths" + none);
+}
+
+std::string field_text(const ResultSource& source, const std::string& name, std::size_t step,
+                       const Arguments& arguments) {
+  const FieldOnGrid field = sampled(read_field(source, name, step), arguments);
+  const std::string column = name.substr(name.rfind('/') + 1);
+  return header(source, name, field) + (is_section(arguments)     ? section(field, column, arguments)
+                                        : arguments.has("matrix") ? matrix(field)
+                                                                  : grid_columns(field, column));
+}
+
+// A dataset as text, or a field of a dataset with several.
+struct Piece {
+  std::string name{};
+  std::string text{};
+};
+
+std::vector<Piece> pieces_of(const ResultSource& source, const std::string& path, const Arguments& arguments) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const Kind kind = source.file.kind(path);
+  const std::size_t dimensions = rank(source, path);
+  if (kind == Kind::text) return {{name, source.file.text(path) + "\n"}};
+  if (kind == Kind::group)
+    return {{name, source.file.attribute(path, "columns").empty() ? list(source, path) : table(source, path)}};
+  if (dimensions < 2) return {{name, columns(source, path)}};
+  if (dimensions == 2) return {{name, field_text(source, path, 0, arguments)}};
+  const std::size_t count = source.file.dims(path)[0];
+  if (!arguments.has("step")) return {{name, sections_in_time(source, path, arguments, count)}};
+  std::vector<Piece> pieces;
+  const std::vector<std::size_t> steps = chosen_steps(arguments, count);
+  for (const std::size_t step : steps)
+    pieces.push_back(
+        {name + (steps.size() == 1 ? "" : "_" + std::to_string(step)), field_text(source, path, step, arguments)});
+  return pieces;
+}
+
+// A data block of gnuplot, without comments. A table begins with the names of its columns.
+std::string data_block(const Piece& piece, bool is_table, const Arguments& arguments) {
+  std::istringstream lines(piece.text);
+  std::string heading, rows;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#"))
+      heading = line.substr(std::min<std::size_t>(2, line.size())) + "\n";
+    else
+      rows += line + "\n";
+  }
+  return "$" + arguments.value("gnuplot", "") + "_" + piece.name + " << EOD\n" + (is_table ? heading : "") + rows +
+         "EOD\n";
+}
+
+std::string data_blocks(const ResultSource& source, const std::string& path, const Arguments& arguments) {
+  const bool group = source.file.kind(path) == Kind::group;
+  if (source.file.kind(path) == Kind::text || (group && source.file.attribute(path, "columns").empty()))
+    refuse("--gnuplot applies to numbers, and " + path + " contains text");
+  std::string text;
+  for (const Piece& piece : pieces_of(source, path, arguments)) text += data_block(piece, group, arguments);
+  return text;
+}
+
 }  // namespace
 
 int extract(const Arguments& arguments) {
   ResultSource source = open_result(arguments.operands[0], wanted_case(arguments));
   if (arguments.has("si")) source.si = scales_of(source.file);
   if (arguments.has("si") && !source.si) refuse("--si: the contact of " + source.file.path() + " is not given in SI");
-  const std::string name = full_name(source, arguments.operands[1]);
-  const std::vector<std::size_t> dims =
-      source.file.kind(name) == Kind::numbers ? source.file.dims(name) : std::vector<std::size_t>{};
-  const bool in_time = dims.size() == 3;
-  const bool is_field = in_time || dims.size() == 2;
-  for (const char* option : {"along", "at", "matrix", "sample", "window"})
-    if (arguments.has(option) && !is_field)
-      refuse(std::string("--") + option + " applies to fields, and " + name + " is not a field");
-  if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
-    refuse("either --matrix or --along and --at");
-  if (arguments.has("step") && !in_time)
-    refuse("--step applies to fields of several times or depths, and " + name + " is not a field");
-  if (in_time && !arguments.has("step")) {
-    print(sections_in_time(source, name, arguments, dims[0]));
-  } else if (is_field) {
-    const FieldOnGrid field =
-        sampled(read_field(source, name, in_time ? chosen_step(arguments, dims[0]) : 0), arguments);
-    const std::string column = name.substr(name.rfind('/') + 1);
-    const bool is_section = arguments.has("along") || arguments.has("at");
-    print(header(source, name, field) + (is_section                ? section(field, column, arguments)
-                                         : arguments.has("matrix") ? matrix(field)
-                                                                   : grid_columns(field, column)));
-  } else if (source.file.kind(name) == Kind::text) {
-    print(source.file.text(name) + "\n");
-  } else if (source.file.kind(name) == Kind::group) {
-    print(source.file.attribute(name, "columns").empty() ? list(source, name) : table(source, name));
-  } else {
-    print(columns(source, name));
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k < arguments.operands.size(); ++k) names.push_back(full_name(source, arguments.operands[k]));
+  check_options(source, names, arguments);
+  std::string text = names.empty() ? "# path value unit meaning\n" + contents(source, "/") : "";
+  for (const std::string& name : names) {
+    if (arguments.has("gnuplot"))
+      text += data_blocks(source, name, arguments);
+    else
+      for (const Piece& piece : pieces_of(source, name, arguments)) text += (text.empty() ? "" : "\n\n") + piece.text;
   }
+  print(text);
   return solved;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/exit_status.hpp"
+#include "base/memory_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/figure_source.hpp"
 #include "commands/gnuplot.hpp"

@@ -121,19 +121,25 @@ const Command fit_command{
 
 const Command extract_command{
     "extract",
-    "FILE.h5 DATASET",
-    "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
+    "FILE.h5 [DATASET]...",
+    "prints datasets of a result as columns: P, H, levels, history, summary, scales, deck, or paths in the file; "
+    "without "
+    "a DATASET, a list of all. Two blank lines separate two datasets",
     {{"case", "K", "case of a sweep with --keep, counted from 0 in the order of the table"},
      {"along", "x|y", "prints only the section of a field along this axis"},
      {"at", "y=0|x=0", "position of the section; the nearest grid line is used (default 0)"},
-     {"step", "K|last",
-      "number of the field, counted from 0, if there are several times or depths; without it the section of all"},
+     {"step", "K,...|last",
+      "numbers of the fields, counted from 0, if there are several times or depths; without it the section of all"},
      {"sample", "N",
       "interpolates a field or a section between its nodes (cubic) at N points along x, or along the section"},
      {"window", "x0:x1[,y0:y1]", "part of the domain for --sample; one range for a section"},
      {"si", "",
       "uses SI units, for a deck in SI: positions (--at too) in um, films in nm, pressures in GPa, times in ms"},
-     {"matrix", "", "prints a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
+     {"matrix", "", "prints a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"},
+     {"gnuplot", "PREFIX",
+      "prints each dataset as a data block of gnuplot, $PREFIX_DATASET or, of several steps, $PREFIX_DATASET_K: load "
+      "'< ehl extract FILE.h5 P H --gnuplot "
+      "my'"}},
     extract};
 
 const Command plot_command{

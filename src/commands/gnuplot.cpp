@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include <thread>
 
 #include "base/machine.hpp"
+#include "base/memory_file.hpp"
 #include "base/signals.hpp"
 #include "core/errors.hpp"
 
@@ -59,10 +59,6 @@ std::string gnuplot_text(const std::vector<Setting>& settings) {
   return text;
 }
 
-[[noreturn]] void no_memory() {
-  throw core::FileError(std::string("no memory for a picture: ") + std::strerror(errno));
-}
-
 }  // namespace
 
 std::string gnuplot_literal(const std::string& text) {
@@ -101,26 +97,6 @@ std::string PlainNames::of(const std::string& path, const std::string& link) {
   if (error) throw core::FileError(plain + ": a link cannot be made: " + error.message());
   return plain;
 }
-
-MemoryFile::MemoryFile() : descriptor_(::memfd_create("picture", 0)) {
-  if (descriptor_ < 0) no_memory();
-}
-
-MemoryFile::~MemoryFile() { ::close(descriptor_); }
-
-void MemoryFile::hold(const std::string& text) const {
-  const bool done = ::ftruncate(descriptor_, 0) == 0 &&
-                    ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  if (!done) no_memory();
-}
-
-std::string MemoryFile::text() const {
-  std::string text(static_cast<std::size_t>(::lseek(descriptor_, 0, SEEK_END)), '\0');
-  if (::pread(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) no_memory();
-  return text;
-}
-
-std::string MemoryFile::name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
 Gnuplot::Gnuplot(const std::string& path, const FigureSource& source, const std::string& format)
     : scripts_(names_.of(folder_of_scripts(), "scripts")),

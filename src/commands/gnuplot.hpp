@@ -34,24 +34,6 @@ class PlainNames {
 /// A name that gnuplot does not read as a pipe, for a file that only gnuplot writes; quotes are allowed.
 std::string no_pipe(const std::string& path);
 
-/// A file in memory that gnuplot can read and write. It ends with this object.
-class MemoryFile {
- public:
-  MemoryFile();
-  ~MemoryFile();
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  /// Replaces the contents. errors: core::FileError if the memory is full.
-  void hold(const std::string& text) const;
-  std::string text() const;
-  /// Its name for this process and its children.
-  std::string name() const;
-
- private:
-  int descriptor_;
-};
-
 /// Draws the figures of one file.
 class Gnuplot {
  public:

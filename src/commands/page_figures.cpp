@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/machine.hpp"
+#include "base/memory_file.hpp"
 #include "base/signals.hpp"
 #include "case/numbers/number.hpp"
 #include "commands/figure_source.hpp"

@@ -49,20 +49,20 @@ std::string frames_of(const ResultView& view, const DrawnFigures& figures) {
   const auto figure = std::ranges::find_if(figures.list, [](const DrawnFigure& one) { return one.svgs.size() > 1; });
   if (figure == figures.list.end()) return "";
   const std::vector<double> times = view.source.numbers("/transient/frames/time").values;
-  const std::string unit = view.source.si ? " ms" : " a/u_m";
+  const std::string unit = view.source.si ? " ms" : " a/u<sub>m</sub>";
   const std::vector<std::size_t> shown = frames_on_page(times.size());
   Json data;
   const std::vector<std::string> first = lines_of(figure->svgs[0]);
   data["first"] = first;
   for (std::size_t k = 0; k < std::min(shown.size(), figure->svgs.size()); ++k) {
-    data["times"].push_back(fmt::format("{:.4g}", times[shown[k]]) + unit);
+    data["times"].push_back(fmt::format("{:.4g}", times[shown[k]]));
     data["changes"].push_back(changes_from(first, lines_of(figure->svgs[k])));
   }
   const std::size_t last = data["times"].size() - 1;
   std::string text = "<div class=\"frames\">\n<p class=\"slider\"><button type=\"button\">Play</button> ";
   text +=
       fmt::format("<input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"time\"> t = <output>", last) +
-      escaped(data["times"][0].get<std::string>()) + "</output></p>\n";
+      data["times"][0].get<std::string>() + "</output>" + unit + "</p>\n";
   if (times.size() > last + 1)
     text += fmt::format("<p class=\"small\">{} of {} frames of the file.</p>\n", last + 1, times.size());
   return text + "<figure class=\"wide\"><div class=\"moving\">" + figure->svgs[0] +

@@ -128,7 +128,8 @@ std::string warnings_of(const ResultView& view) {
   std::string text;
   if (!view.converged) {
     const std::string check = view.text(path_of(id::failed_check));
-    text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + " No number of this run is a result.</p>\n";
+    text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + (check.ends_with('.') ? "" : ".") +
+            " No number of this run is a result.</p>\n";
   }
   if (view.value(path_of(id::completed)) == 0.0)
     text += "<p class=\"alarm\"><b>Not complete.</b> The run in time " + escaped(ended_words(view)) + "</p>\n";

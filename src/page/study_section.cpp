@@ -19,8 +19,8 @@ namespace ehl::program {
 namespace {
 
 // The rows of each method (the columns `by`), each sorted from coarse to fine.
-std::vector<std::vector<std::size_t>> ways_of(const SweepData& table, const std::vector<std::string>& by,
-                                              const std::string& along) {
+std::vector<std::vector<std::size_t>> methods_of(const SweepData& table, const std::vector<std::string>& by,
+                                                 const std::string& along) {
   std::vector<std::vector<std::size_t>> variants = curves_by(table, by);
   for (std::vector<std::size_t>& variant : variants)
     std::ranges::stable_sort(variant, {}, [&](std::size_t row) { return table.number(row, along); });
@@ -64,11 +64,11 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
   const bool si = film_columns == films_in_si();
   const std::string c = film_columns.at(0), m = film_columns.at(1);
   HtmlTable made{"Errors against the reference, and the observed order from row to row",
-                 {"way", "cells", id::status, si ? "h<sub>c</sub> [nm]" : id::Hc, "error", "order",
+                 {"method", "cells", id::status, si ? "h<sub>c</sub> [nm]" : id::Hc, "error", "order",
                   si ? "h<sub>m</sub> [nm]" : id::Hm, "error", "order", "work units", id::seconds},
                  {},
                  "numbers"};
-  for (const std::vector<std::size_t>& variant : ways_of(table, by, along))
+  for (const std::vector<std::size_t>& variant : methods_of(table, by, along))
     for (std::size_t k = 0; k < variant.size(); ++k) {
       const std::size_t row = variant[k];
       const bool good = done(table, row);

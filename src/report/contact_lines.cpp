@@ -111,14 +111,13 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
     rows.push_back(std::move(row));
   }
   std::string text = aligned(rows, widths);
-  if (physics.si && !physics.si->coatings.empty())
-    return text +
-           "  the formulas are for uncoated bodies, here with the E' of the scales; where a coating is soft the "
-           "film may differ from them by a quarter\n";
+  if (coated(physics)) return text + "  " + formulas_if_coated + "\n";
   text += fitted_film_line(physics);
   if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;
 }
+
+bool coated(const Physics& physics) { return physics.si && !physics.si->coatings.empty(); }
 
 std::string domain_lines(const core::Grid& grid, const std::optional<SiScales>& si) {
   const auto along = [&](double factor) {

@@ -22,6 +22,12 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
                           double Hc = std::numeric_limits<double>::quiet_NaN(),
                           double Hm = std::numeric_limits<double>::quiet_NaN());
 
+/// The meaning of the film formulas if the bodies are coated.
+constexpr char formulas_if_coated[] =
+    "the formulas are for uncoated bodies, here with the E' of the scales; where a coating is soft the film may differ "
+    "from them by a quarter";
+bool coated(const Physics& physics);
+
 /// The domain and the grid, in um first if there are scales.
 std::string domain_lines(const core::Grid& grid, const std::optional<SiScales>& si);
 

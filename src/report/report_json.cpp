@@ -5,6 +5,7 @@
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "core/processor_level.hpp"
+#include "report/contact_lines.hpp"
 #include "report/course_columns.hpp"
 #include "report/report.hpp"
 
@@ -93,6 +94,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["newton"] = rows_json(newton_columns(), solution.newton);
   report["parts"] = parts_json(solution.times);
   report["formulas"] = rows_json(formula_columns(input, outcome), outcome.formulas);
+  if (coated(input.physics)) report["formulas_note"] = formulas_if_coated;
   add_warnings(outcome.warnings, report);
   add_effects(input, computed, report);
   return line_of(report);

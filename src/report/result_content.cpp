@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/machine.hpp"
 #include "base/version.hpp"
@@ -20,6 +21,20 @@ using results::Quantity;
 bool wanted(const Case& input, const std::string& field) {
   return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
 }
+
+// A field that follows from the pressure.
+struct PressureField {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  core::Field DerivedFields::*field;
+  void (*of)(const Case& input, std::span<const double> P, std::span<double> values);
+};
+constexpr PressureField pressure_fields[] = {
+    {"rho_bar", "rho0", "density rho/rho0", &DerivedFields::rho_bar,
+     [](const Case& input, auto P, auto values) { rheology::density(input.scene.density, P, values); }},
+    {"ln_eta_bar", "-", "ln(eta/eta0)", &DerivedFields::ln_eta_bar,
+     [](const Case& input, auto P, auto values) { rheology::log_viscosity(input.scene.viscosity, P, values); }}};
 
 // If an accuracy was asked for, the deck of the result records the grid that was found for it, so that a new run of
 // this deck reproduces the solution.
@@ -94,17 +109,14 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
 
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
   DerivedFields derived;
-  if (wanted(input, "rho_bar")) derived.rho_bar = core::Field(solution.grid);
-  if (wanted(input, "ln_eta_bar")) derived.ln_eta_bar = core::Field(solution.grid);
   if (input.scene.surface) {
     derived.S = core::Field(solution.grid);
     input.scene.surface(solution.grid, derived.S);
   }
-  for (int i = 0; i < solution.grid.nodes_x(); ++i) {
-    if (wanted(input, "rho_bar"))
-      rheology::density(input.scene.density, solution.P.station(i), derived.rho_bar.station(i));
-    if (wanted(input, "ln_eta_bar"))
-      rheology::log_viscosity(input.scene.viscosity, solution.P.station(i), derived.ln_eta_bar.station(i));
+  for (const PressureField& one : pressure_fields) {
+    if (!wanted(input, one.name)) continue;
+    core::Field& field = derived.*one.field = core::Field(solution.grid);
+    for (int i = 0; i < solution.grid.nodes_x(); ++i) one.of(input, solution.P.station(i), field.station(i));
   }
   return derived;
 }
@@ -117,10 +129,10 @@ results::Content result_content(const Case& input, const Computed& computed) {
   for (const char* group : {"film", "course", "roughness", "verification"}) numbers::append(group, solved, list);
   results::Content content = content_of(input, computed, std::move(list));
   content.scales = numbers::scale_quantities(input);
-  const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
-                                                {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
-                                                {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
-                                                {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
+  std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
+                                          {"H", "a^2/R", "film thickness h R/a^2", &solution.H}};
+  for (const PressureField& one : pressure_fields)
+    fields.push_back({one.name, one.unit, one.meaning, &(derived.*one.field)});
   if (const auto& errors = solution.adjoint; errors && errors->map_Hc.nodes_x() > 0) {
     const char* meaning = "contribution per area to its relative discretization error";
     for (const auto& [name, map] :

@@ -51,6 +51,9 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
     outcome.warnings.push_back(std::move(warning));
   computed.solution.grid = solution.grid;
   computed.solution.P = solution.P;
+  computed.solution.H00 = solution.H00;
+  computed.solution.deformation = solution.deformation;
+  computed.solution.seconds = solution.seconds;
   computed.solution.converged = solution.converged;
   computed.solution.failed_check = solution.failed_check;
 }

@@ -45,10 +45,21 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   if (!is_finite(computed.outcome)) throw core::SolverError("the film or the pressure is not finite");
 }
 
+std::string profile(const Case& input, const Computed& computed) {
+  return tuning_lines(input.tuning) +
+         (computed.in_time ? profile_table(computed.in_time->report.times, computed.in_time->report.seconds)
+                           : profile_table(computed.solution.times, computed.solution.seconds));
+}
+
 }  // namespace
 
 Solver film_solver() {
-  return {.solve = solve, .derived = derived, .summary = summary, .json = json_report, .content = result_content};
+  return {.solve = solve,
+          .derived = derived,
+          .summary = summary,
+          .json = json_report,
+          .profile = profile,
+          .content = result_content};
 }
 
 }  // namespace ehl::program

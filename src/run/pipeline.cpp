@@ -24,8 +24,7 @@ namespace {
 Solver solver_of(const Case& input) { return input.dry ? dry_solver() : film_solver(); }
 
 results::Content content_without_solution(const Case& input, const Computed& computed) {
-  if (!input.dry && has_film(computed.solution) && is_finite(computed.outcome))
-    return solver_of(input).content(input, computed);
+  if (has_film(computed.solution) && is_finite(computed.outcome)) return solver_of(input).content(input, computed);
   results::Content content = content_of(
       input, computed, {numbers::given(id::converged, false), numbers::given(id::failed_check, computed.unsolved)});
   content.scales = numbers::scale_quantities(input);
@@ -95,11 +94,7 @@ std::string printed(const Case& input, const Computed& computed, bool profile) {
     if (effect.warnings) text += warning_lines(effect.warnings(input, computed));
   }
   text += effect_times(input, computed);
-  if (profile && !input.dry) text += tuning_lines(input.tuning);
-  if (profile && computed.in_time)
-    text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
-  else if (profile && !input.dry)
-    text += profile_table(computed.solution.times, computed.solution.seconds);
+  if (const auto lines = solver_of(input).profile; profile && lines != nullptr) text += lines(input, computed);
   return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
 }
 

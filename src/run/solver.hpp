@@ -13,6 +13,8 @@ struct Solver {
   std::string (*derived)(const Case& input) = nullptr;  ///< the report of `ehl check`
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
   std::string (*json)(const Case& input, const Computed& computed) = nullptr;
+  /// What --profile adds: the tuned numbers and the times of the parts; not set: nothing.
+  std::string (*profile)(const Case& input, const Computed& computed) = nullptr;
   results::Content (*content)(const Case& input, const Computed& computed) = nullptr;
 };
 

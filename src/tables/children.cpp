@@ -17,6 +17,7 @@
 #include <new>
 #include <utility>
 
+#include "base/memory_file.hpp"
 #include "base/progress.hpp"
 #include "base/signals.hpp"
 #include "base/text_format.hpp"
@@ -58,7 +59,7 @@ class Board {
 struct Child {
   std::size_t task = 0;
   pid_t process = -1;
-  int text = -1;  // a file in memory that the child writes
+  std::shared_ptr<MemoryFile> text{};
   double began = 0.0;
   std::shared_ptr<Board> board{};
   int ends = -1;  // becomes readable when the process ends; -1 if the system does not support this
@@ -73,7 +74,6 @@ class Children {
   ~Children() {
     for (const Child& child : working) {
       ::kill(child.process, SIGKILL);
-      ::close(child.text);
       ::close(child.ends);
       while (::waitpid(child.process, nullptr, 0) < 0 && errno == EINTR) {
       }
@@ -82,7 +82,8 @@ class Children {
   std::vector<Child> working{};
 };
 
-[[noreturn]] void be_child(std::size_t task, int file, pid_t parent, Board& board, const ChildrenCalls& calls) {
+[[noreturn]] void be_child(std::size_t task, const MemoryFile& file, pid_t parent, Board& board,
+                           const ChildrenCalls& calls) {
   // Only the parent handles Ctrl-C; a child ends when it receives SIGTERM.
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGTERM, SIG_DFL);
@@ -99,36 +100,29 @@ class Children {
     text = error.what();
     status = 1;
   }
-  if (::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) ::_exit(1);
+  try {
+    file.hold(text);
+  } catch (const core::FileError&) {
+    status = 1;
+  }
   ::_exit(status);  // not exit(): buffers and exit functions belong to the parent
 }
 
 Child start(std::size_t task, const ChildrenCalls& calls) {
-  const int text = ::memfd_create("case", MFD_CLOEXEC);
-  if (text < 0)
-    throw core::FileError(std::string("the file for the output of a case cannot be created: ") + std::strerror(errno));
   std::fflush(nullptr);
+  auto text = std::make_shared<MemoryFile>();
   auto board = std::make_shared<Board>();
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
-  if (process == 0) be_child(task, text, parent, *board, calls);
+  if (process == 0) be_child(task, *text, parent, *board, calls);
   if (process > 0)
-    return {task,        process,          text,
+    return {task,        process,          std::move(text),
             core::now(), std::move(board), static_cast<int>(::syscall(SYS_pidfd_open, process, 0))};
-  const int error = errno;
-  ::close(text);
-  throw core::FileError(std::string("the process for a case cannot be started: ") + std::strerror(error));
-}
-
-std::string text_in(int file) {
-  std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
-  if (::pread(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) return "";
-  return text;
+  throw core::FileError(std::string("the process for a case cannot be started: ") + std::strerror(errno));
 }
 
 ChildEnd end_of(const Child& child, int status) {
-  ChildEnd end{child.task, false, text_in(child.text), WEXITSTATUS(status), ""};
-  ::close(child.text);
+  ChildEnd end{child.task, false, child.text->text(), WEXITSTATUS(status), ""};
   ::close(child.ends);
   if (WIFSIGNALED(status)) end.status = 128 + WTERMSIG(status);
   end.complete = end.status == 0 && end.text.ends_with(whole);

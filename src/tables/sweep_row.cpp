@@ -15,6 +15,7 @@
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
+#include "report/contact_lines.hpp"
 #include "report/outcome.hpp"
 #include "run/pipeline.hpp"
 #include "tables/kept_results.hpp"
@@ -95,6 +96,8 @@ std::vector<std::string> left_out(const deck::Deck& deck) {
     lines.push_back("[transient]: no run in time is made; a row is the steady contact that `ehl run` would start from");
   if (deck::called_for(deck, "subsurface"))
     lines.push_back("[subsurface]: the table has no stresses; --keep keeps those of every case");
+  if (deck::given(deck, "contact", "coating1_E") || deck::given(deck, "contact", "coating2_E"))
+    lines.push_back(std::string("coatings: ") + formulas_if_coated);
   return lines;
 }
 

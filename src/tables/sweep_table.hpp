@@ -31,7 +31,7 @@ struct SweepHeader {
   std::vector<Variation> variations{};
   SweepColumns columns{};                ///< of a row, after the varied keys
   bool timing = false;                   ///< with seconds and memory
-  std::vector<std::string> left_out{};   ///< what a row does not report
+  std::vector<std::string> left_out{};   ///< what a reader of the table must know
   std::vector<deck::NamedFile> files{};  ///< the files that any of the cases names
   Shard shard{};                         ///< the part of the cases that this table holds
   int at_once = 1;                       ///< cases that share the memory

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "deck/text.hpp"
@@ -74,12 +73,6 @@ Effect toy_effect() {
                      .from = Extent::row},
           .on = on,
           .what = [](const Case&) { return std::string("the steepest pressure"); },
-          .json =
-              [](const Case& input, const Computed& computed) {
-                Json report;
-                add(numbers::quantities("toy", {input, computed}), report);
-                return report;
-              },
           .add_content =
               [](const Case& input, const Computed& computed, results::Content& content) {
                 numbers::append("toy", {input, computed}, content.summary);

@@ -53,8 +53,11 @@ multigrid::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
                                      .transport = problem.wedge,
                                      .load = std::nullopt,
                                      .cavitation = reynolds::Cavitation::none};
-  const multigrid::Parameters parameters{
-      .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
+  multigrid::Parameters parameters{};
+  parameters.cycle = problem.cycle;
+  parameters.post = 1;
+  parameters.coarsest_cells = problem.coarsest;
+  parameters.relaxation = problem.relaxation;
   multigrid::Hierarchy hierarchy = multigrid::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft},
                                                              grid_of(problem.cells, problem.stretch), 1);
   multigrid::Level& level = hierarchy.finest();

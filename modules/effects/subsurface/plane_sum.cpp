@@ -32,11 +32,6 @@ PlaneSum::Work::Work(const PlaneSum& sum)
     for (auto& component : shear_) component.resize(nodes);
 }
 
-std::size_t PlaneSum::bytes_of_work() const {
-  const std::size_t nodes = size(grid_.nodes_x()) * size(grid_.nodes_y());
-  return (size(length_x_ * stride_) + (body_.friction != 0.0 ? 2 : 1) * components * nodes) * sizeof(double);
-}
-
 PlaneSum::PlaneSum(const core::Grid& grid, const core::Field& P, const Body& body)
     : grid_(grid),
       body_(body),

@@ -46,9 +46,6 @@ class PlaneSum {
   /// out: the six components at depth z >= 0. Concurrent calls are allowed, each with its own work space and output.
   void evaluate(double z, Work& work, StressFields& stress) const;
 
-  /// Bytes of one work space.
-  std::size_t bytes_of_work() const;
-
  private:
   void fill_kernels(double z, Work& work) const;
   void transform_kernel(int component, Work& work) const;

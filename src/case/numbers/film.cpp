@@ -90,8 +90,7 @@ std::vector<Number> film_numbers() {
        number(id::p_max, "Pa", "highest pressure of all nodes", only_if(has_p_h), json("p_max_Pa"),
               bar(id::error_P_max), label("highest pressure p_{max}"), in_si(105, "p_max", "GPa"),
               sweep_page(OfSweep::in_table), [](Of s) { return outcome(s).P_max.value * s.input.physics.p_h; }),
-       number(id::H00, "a^2/R", "minus the mutual approach", only_if(always),
-              [](Of s) { return s.computed.dry ? s.computed.dry->H00 : solution(s).H00; }),
+       number(id::H00, "a^2/R", "minus the mutual approach", only_if(always), [](Of s) { return solution(s).H00; }),
        number(id::area, "a^2", "area of the nodes in contact", only_if(without_oil), label("area of contact"),
               on_page(20), [](Of s) { return s.computed.dry->rows.back().area; }),
        number(id::gap_error, "a^2/R", "largest gap in the contact or overlap outside", only_if(without_oil),
@@ -119,14 +118,13 @@ std::vector<Number> course_numbers() {
               column(219), [](Of s) { return last(s).work_units; }),
        number("path", "", "the method as a code", only_column, column(220, "none"),
               [](Of s) { return solution(s).path; }),
-       number(id::seconds, "s", "time of the solution", only_if(always),
-              [](Of s) { return s.computed.dry ? s.computed.dry->seconds : solution(s).seconds; }),
+       number(id::seconds, "s", "time of the solution", only_if(always), [](Of s) { return solution(s).seconds; }),
        number(id::method, "", "the strategy that led to the solution", column(3, "none"),
               [](Of s) { return solution(s).method; }),
        number(id::warnings, "", "one per line"),
        number("regime", "", "regime of lubrication", [](Of s) { return outcome(s).regime; }),
        number(id::deformation, "", "how the elastic deformation was evaluated", only_if(always), not_json,
-              [](Of s) { return s.computed.dry ? s.computed.dry->deformation : solution(s).deformation; })});
+              [](Of s) { return solution(s).deformation; })});
 }
 
 std::vector<Number> roughness_numbers() {

@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   multigrid::Hierarchy stopped = newton_hierarchy(20, 10, core::Grid{64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
   const std::size_t l = stopped.levels.size() - 1;
   multigrid::start_from_hertz(stopped, l, first_H00(20, 10), 0);
-  const newton::Result result = newton::solve(stopped, l, {.max_steps = 3});
+  const newton::Result result = newton::solve(stopped, l, {.max_steps = 3, .tuning = {}});
   tells(result, "after 3 steps");
   BOOST_TEST(!result.equations_met);
   BOOST_REQUIRE(result.steps.size() == 3U);
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
     multigrid::Hierarchy hierarchy = newton_hierarchy(200, 10, square(128), threads);
     const std::size_t l = hierarchy.levels.size() - 1;
     multigrid::start_from_hertz(hierarchy, l, first_H00(200, 10), 0);
-    const newton::Result result = newton::solve(hierarchy, l, {.max_steps = 3});
+    const newton::Result result = newton::solve(hierarchy, l, {.max_steps = 3, .tuning = {}});
     BOOST_TEST(result.steps.size() == 3U);
     P.push_back(hierarchy.levels[l].P);
   }

@@ -95,7 +95,6 @@ BOOST_AUTO_TEST_CASE(no_input_and_no_foreign_file_is_replaced) {
     std::string own;  // the beginning of a file of this kind
   };
   const Kind kinds[] = {{FileKind::table, "# ehl study in time, table 1\n"},
-                        {FileKind::journal, "ehlkept1 and more"},
                         {FileKind::xdmf, "<?xml version=\"1.0\" ?>\n<Xdmf>"},
                         {FileKind::page, "<!DOCTYPE html>\n<p>Page written by ehl 1.2, commit"},
                         {FileKind::picture, "\x89PNG\r\n"},

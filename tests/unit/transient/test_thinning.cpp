@@ -14,8 +14,9 @@ using Points = std::vector<Schedule::Point>;
 namespace {
 
 /// k of the law where the surfaces slide at u_m: the stress of a Newtonian oil would be this many times tau_c at H = 1
-/// and ambient pressure. The film of M = 50, L = 10 then loses a third between pure rolling and |u1 - u2| = u_m.
-constexpr double k_of_u_m = 2e-2;
+/// and ambient pressure. The film of M = 50, L = 10 then becomes some per cent thinner between rolling and |u1 - u2| =
+/// u_m.
+constexpr double k_of_u_m = 0.1;
 
 steady::Scene scene_with(const rheology::ShearLaw& law, double sliding, bool line = false) {
   steady::Scene scene = line ? roelands_line(20.0, 5.0, core::line_grid(128, -4.5, 1.5)) : marching_scene(32);
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_steady_contact_that_slides_stays_where_it_is) {
     BOOST_TEST_MESSAGE("Hc " << Hc << ", without thinning " << film_of(law, 0.0) << ": moves by " << moved
                              << " (allowed 1e-7)");
     BOOST_TEST(moved <= 1e-7);
-    BOOST_TEST(Hc < 0.9 * film_of(law, 0.0));
+    BOOST_TEST(Hc < 0.97 * film_of(law, 0.0));
   }
 }
 
