@@ -41,8 +41,8 @@ Passed passed(int cells, double step) {
 
 }  // namespace
 
-// Below a Hertzian line contact tau_xz has the extremes +-0.25 p_h at the depth 0.5 a, X = +-0.866 a (Lundberg and
-// Palmgren 1947; Johnson 1985, section 4.2); the largest von Mises stress with nu = 0.3 is 0.5577 p_h.
+// Below a Hertzian line contact tau_xz has the extremes +- p_h/4 at half a Hertz radius (Lundberg and Palmgren 1947;
+// Johnson 1985, section 4.2); the largest von Mises stress is that of plane strain.
 BOOST_AUTO_TEST_CASE(the_orthogonal_shear_stress_below_a_rolling_line_has_the_range_of_half_the_pressure) {
   const Passed coarse = passed(128, 1.0), fine = passed(256, 1.0);
   BOOST_TEST_MESSAGE("range " << coarse.range << ", " << fine.range << " (0.5), depth " << fine.depth << " (0.5), von "
