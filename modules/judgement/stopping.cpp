@@ -13,6 +13,8 @@ namespace {
 constexpr double rounding = 1e-11;
 /// An oil content below zero by more than this share of the film is more than rounding.
 constexpr double rounding_of_content = 1e-10;
+/// The film of a first grid has settled in this cycle at the earliest. [bench: settled_change]
+constexpr int fewest_first_cycles = 3;
 
 std::string text(double value) { return std::isfinite(value) ? fmt::format("{:.2e}", value) : "not finite"; }
 
@@ -58,16 +60,16 @@ std::string unmet_share(const Tuning& tuning, const char* name, double left, dou
 
 bool settled(const Tuning& tuning, int cycle, const Measures& before, const Measures& now) {
   const auto change = [](double was, double is) { return std::abs((is - was) / is); };
-  return cycle >= tuning.fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < tuning.settled_change &&
+  return cycle >= fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < tuning.settled_change &&
          change(before.Hm, now.Hm) < tuning.settled_change;
 }
 
 }  // namespace
 
-// A first cycle's start may by chance be closer to the solution than its result; Hm follows the residual with delay.
+// Hm follows the residual with delay.
 double predicted_error(const Tuning& tuning, const LastCycle& cycle, double Measures::*value) {
-  const double best = cycle.first ? tuning.best_factor_at_first : tuning.best_factor;
-  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, tuning.worst_factor);
+  const double factor =
+      std::clamp(cycle.after.residual / cycle.before.residual, tuning.best_factor, tuning.worst_factor);
   const double after = cycle.after.*value;
   return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
 }

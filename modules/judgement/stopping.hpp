@@ -14,12 +14,10 @@ struct LastCycle {
   Measures after;
   double mesh_error_Hc = 0.0;  ///< estimated relative discretization error; NaN if unknown
   double mesh_error_Hm = 0.0;
-  bool first = false;  ///< true for the first cycle after an interpolation, whose change predicts little
 };
 
 /// Estimated algebraic error of Hc or Hm, relative: the last cycle's change times q/(1 - q). q is the convergence
-/// factor of that cycle, limited to [0.25, 0.9].
-/// A first cycle counts with at least q = 0.5. in: value = &Measures::Hc or &Measures::Hm.
+/// factor of that cycle, limited to [0.25, 0.9]. in: value = &Measures::Hc or &Measures::Hm.
 double predicted_error(const Tuning& tuning, const LastCycle& cycle, double Measures::*value);
 
 /// The first check that the state fails, as a sentence with numbers and a remedy; empty if it passes all.

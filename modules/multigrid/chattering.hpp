@@ -6,12 +6,6 @@
 
 namespace ehl::multigrid {
 
-/// Range of residuals in which nodes chatter: below it they change by rounding, above it the edge of the film still
-/// moves.
-inline bool may_chatter(const Tuning& tuning, double residual) {
-  return residual > tuning.chattering_least && residual < tuning.chattering_most;
-}
-
 /// Compares which nodes are full with the last call, and marks those that chatter. A node without pressure may be full.
 /// out: how many this call has marked; 0 without the mass-conserving model.
 int mark_chattering(const Tuning& tuning, Level& level);

@@ -52,13 +52,13 @@ void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, con
   core::copy(level.P, level.correction);  // a copy; this field is free until the correction is made
   const double H00 = hierarchy.H00;
   const Tuning& tuning = hierarchy.parameters.tuning;
-  const double back_off = tuning.coarsest_back_off;
+  const double back_off = tuning.back_off;
   Parameters used = how;
   for (;;) {
     used.relaxation = lighter(how.relaxation, hierarchy.coarsest_weight);
     relax_with_force_balance(hierarchy, level, coarsest_sweeps, used);
     const bool oscillates = !(unsolved_share(hierarchy, level) <= tuning.coarsest_raised * before);
-    if (!oscillates || hierarchy.coarsest_weight * back_off < tuning.coarsest_least_weight) return;
+    if (!oscillates || hierarchy.coarsest_weight * back_off < tuning.least_all) return;
     hierarchy.coarsest_weight *= back_off;
     core::copy(level.correction, level.P);
     hierarchy.H00 = H00;

@@ -56,8 +56,7 @@ bool stalled(const CycleSeries& series) {
 /// change still feel the interpolation.
 bool poor(const CycleSeries& series) {
   const Tuning& tuning = series.tuning();
-  return cycles_since_change(series) > std::max(2, tuning.settling_cycles) &&
-         series.now.residual > tuning.poor_factor * series.before.residual &&
+  return cycles_since_change(series) > 2 && series.now.residual > tuning.poor_factor * series.before.residual &&
          series.now.residual > tuning.poor_factor * residual_before(series, 2) &&
          series.now.residual > rounding_residual;
 }
@@ -65,7 +64,7 @@ bool poor(const CycleSeries& series) {
 /// Damping does not cure chattering nodes.
 bool may_have_chattering_nodes(const CycleSeries& series) {
   return (poor(series) || stalled(series) || series.flips) && series.criterion.aim == judgement::Aim::solution &&
-         may_chatter(series.tuning(), series.now.residual);
+         series.now.residual > rounding_residual;
 }
 
 bool on_stretched_cells(const CycleSeries& series) { return core::stretched(series.level().grid) && series.cycles > 1; }
@@ -102,10 +101,10 @@ Change end_the_series(CycleSeries&) { return Change::end; }
 Change back_off(CycleSeries& series) {
   const Tuning& tuning = series.tuning();
   Damping& damping = series.damping;
-  if (damping.steep * tuning.back_off_steep >= tuning.least_steep)
-    damping.steep *= tuning.back_off_steep;
-  else if (damping.all * tuning.back_off_all >= tuning.least_all)
-    damping.all *= tuning.back_off_all;
+  if (damping.steep * tuning.back_off >= tuning.least_steep)
+    damping.steep *= tuning.back_off;
+  else if (damping.all * tuning.back_off >= tuning.least_all)
+    damping.all *= tuning.back_off;
   else
     return Change::none;
   choose_weights(series);
@@ -180,8 +179,8 @@ bool slow(const CycleSeries& series) {
 
 bool restart(CycleSeries& series) {
   const Tuning& tuning = series.tuning();
-  if (series.damping.all * tuning.back_off_all < tuning.least_all) return false;
-  series.damping.all *= tuning.back_off_all;
+  if (series.damping.all * tuning.back_off < tuning.least_all) return false;
+  series.damping.all *= tuning.back_off;
   if (series.how.post == 0) series.damping.relax_after = true;
   series.growth = 1.0;
   series.grows = false;

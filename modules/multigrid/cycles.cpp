@@ -79,7 +79,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   CyclesResult result{.end = CyclesEnd::limit};
   const auto judge = [&] {
     const DiscretizationError error = observe(series.cycles, series.now);
-    result.last = {series.before, series.now, error.Hc, error.Hm, series.cycles == 1};
+    result.last = {series.before, series.now, error.Hc, error.Hm};
     return judged(hierarchy.parameters.judgement, criterion, series.cycles, result.last);
   };
   const bool closes = criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l]);

@@ -96,7 +96,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   film.go_on(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const DistributedShares shares = distributed_shares(grid);
-  const double film_beside = hierarchy.parameters.tuning.film_beside;
+  const double film_beside = hierarchy.parameters.tuning.share_of_lines_beside;
   const reynolds::HalfInverseSquares half(grid);
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {

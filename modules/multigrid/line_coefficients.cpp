@@ -102,7 +102,7 @@ void LineCoefficients::read_answers(const Tuning& tuning, const Level& level, in
   // Along a line, whose points are solved together, the row has all of the viscosity's derivatives; across it, a share
   // of them. A point at the top of a spike depends so little on its own pressure, and so much on those of its
   // neighbours, that lines with the whole derivative across them diverge.
-  const double across = tuning.viscosity_beside;
+  const double across = tuning.share_of_lines_beside;
   Lanes phi = own_lines(oil.fluidity, 1, j);
   Lanes a = own_lines(oil.log_viscosity, 1, j);
   auto west = film::answers(least, own_lines(oil.fluidity, 0, j), phi, own_lines(oil.log_viscosity, 0, j), a);

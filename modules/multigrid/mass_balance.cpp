@@ -32,7 +32,7 @@ SearchDirection direction_back_to(const State& before, Hierarchy& hierarchy, Lev
   SearchDirection direction{.dP = core::Field(level.grid),
                             .dH = core::Field(level.grid),
                             .dH00 = hierarchy.H00 - before.H00,
-                            .first = -hierarchy.parameters.tuning.first_step_back,
+                            .first = -0.5,
                             .least = -1.0};
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j)
@@ -53,9 +53,9 @@ SearchDirection direction_of_inlet(Hierarchy& hierarchy, Level& level) {
   const Tuning& tuning = hierarchy.parameters.tuning;
   SearchDirection direction{.dP = core::Field(level.grid),
                             .dH = core::Field(level.grid),
-                            .first = tuning.first_inlet_factor,
-                            .least = -tuning.largest_inlet_factor,
-                            .most = tuning.largest_inlet_factor};
+                            .first = tuning.inlet_factor,
+                            .least = -1.0,
+                            .most = 1.0};
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double P = level.P(i, j);
@@ -88,7 +88,7 @@ double defect_per_film(const Hierarchy& hierarchy, const Level& level) {
 
 SearchDirection direction_of_film(const Hierarchy& hierarchy, const Level& level, double excess) {
   const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);
-  const double most = hierarchy.parameters.tuning.longest_film_step * std::abs(Hc);
+  const double most = std::abs(Hc);
   return {.dH00 = 1.0, .first = -excess / defect_per_film(hierarchy, level), .least = -most, .most = most};
 }
 
@@ -106,16 +106,18 @@ void move_along(Hierarchy& hierarchy, Level& level, const SearchDirection& direc
   update_residual(hierarchy, level);
 }
 
-// Secant method along a line of states. out: true if the oil balances; else the state is as before.
+// Secant method along a line of states, as long as the defect falls; the first step only measures its derivative.
+// out: true if the oil balances; else the state is as before.
 bool balanced_along(Hierarchy& hierarchy, Level& level, const SearchDirection& direction, double enough) {
   double excess = mass_defect(hierarchy, level);
   double t = 0.0, step = direction.first;
-  const int most_steps = hierarchy.parameters.tuning.balance_steps;
-  for (int k = 0;
-       k < most_steps && std::abs(excess) > enough && t + step >= direction.least && t + step <= direction.most; ++k) {
+  bool falls = true;
+  while (falls && std::abs(excess) > enough && t + step >= direction.least && t + step <= direction.most) {
     move_along(hierarchy, level, direction, step);
+    falls = t == 0.0;
     t += step;
     const double now = mass_defect(hierarchy, level);
+    falls = falls || std::abs(now) < std::abs(excess);
     step *= now / (excess - now);
     excess = now;
   }

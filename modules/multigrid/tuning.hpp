@@ -14,8 +14,7 @@ struct Tuning {
   core::Positive film_along_edge = 2.0;     ///< film response at an edge on coarse grids, in K(0, 0)
 
   // X sweep (line_coefficients.cpp, line_batch.cpp)
-  core::Share viscosity_beside = 0.3;  ///< share of the viscosity's derivatives by the lines beside
-  core::Share film_beside = 0.3;  ///< share of epsilon's derivatives by the films beside [bench: share_of_lines_beside]
+  core::Share share_of_lines_beside = 0.3;  ///< share of the derivatives of viscosity and epsilon by the lines beside
 
   // Correcting grids (coarse_problem.cpp, hierarchy.cpp)
   core::Positive elastic_coupling = 0.5;  ///< coupling by the elastic film, in epsilon/h^2
@@ -27,8 +26,6 @@ struct Tuning {
   core::Positive coarsest_cells = 32.0;        ///< cells along X that these solve [bench: cells_of_coarsest_sweeps]
   core::Positive coarsest_lines = 16.0;  ///< lines that these solve, stretched cells [bench: lines_of_coarsest_sweeps]
   core::Positive coarsest_raised = 2.0;  ///< growth of the residual in a visit that is repeated
-  core::Reduction coarsest_back_off = 0.8;  ///< factor on the weights of a repeated visit [bench: coarsest_raised]
-  core::Share coarsest_least_weight = 0.5;  ///< lower limit of the weights of repeated visits [bench: coarsest_raised]
   core::Share largest_fall = 0.5;           ///< largest relative fall of the central film in a visit
 
   // Damping of the cycles (cycles.cpp)
@@ -37,11 +34,9 @@ struct Tuning {
   core::Count patience = 6;                ///< cycles in which the residual must fall [bench: cycles_patience]
   core::Share hardly_less = 0.5;           ///< factor by which the residual must fall in them [bench: cycles_patience]
   core::Share poor_factor = 0.75;          ///< convergence factor above which a cycle is poor
-  core::Count settling_cycles = 2;   ///< cycles after a change of damping that are not judged [bench: poor_factor]
-  core::Share back_off_steep = 0.8;  ///< factor on the steep weight after a poor cycle [bench: back_off]
-  core::Share least_steep = 0.6;     ///< lower limit of back_off_steep [bench: back_off]
-  core::Share back_off_all = 0.8;    ///< factor on all weights if that does not help [bench: back_off]
-  core::Share least_all = 0.5;       ///< lower limit of back_off_all [bench: back_off]
+  core::Share back_off = 0.8;         ///< factor on weights that are too large: the steep weight first, then all
+  core::Share least_steep = 0.6;     ///< lower limit of the steep weight [bench: back_off]
+  core::Share least_all = 0.5;       ///< lower limit of all weights [bench: back_off]
   core::Share good_factor = 0.6;     ///< convergence factor that raises the steep weight [bench: steep_weight_growth]
   core::Positive growth_per_cycle = 1.25;  ///< factor on the steep weight by a good cycle [bench: steep_weight_growth]
   core::Positive growth_limit = 1.4;       ///< upper limit of these factors together [bench: steep_weight_growth]
@@ -50,8 +45,6 @@ struct Tuning {
   // Meniscus (cycles.cpp, chattering.cpp, full_multigrid.cpp)
   core::Count meniscus_moves = 15;          ///< first cycles, in which a meniscus may still move
   core::Count changes_of_chattering = 4;    ///< changes of kind after which a node chatters
-  core::Positive chattering_least = 1e-7;   ///< residual above which nodes may chatter [bench: chattering_residuals]
-  core::Positive chattering_most = 5e-2;    ///< residual below which nodes may chatter [bench: chattering_residuals]
   core::Positive meniscus_residual = 1e-2;  ///< residual below which a coarse meniscus has its place
   core::Count meniscus_cycles = 4;          ///< most cycles for its place, in extra_cycles [bench: meniscus_residual]
   core::Count cycles_per_supply = 8;        ///< cycles for each supply on the first grid [bench: supply_steps]
@@ -60,12 +53,8 @@ struct Tuning {
 
   // Global mass correction (mass_balance.cpp)
   core::Positive balanced_oil = 5e-11;       ///< largest mass defect over the flow
-  core::Count balance_steps = 6;             ///< most steps of the secant method
   core::Positive inlet_pressure = 0.03;      ///< pressure below which the inlet is corrected
-  core::Positive first_inlet_factor = 1e-6;  ///< first step of the factor on the inlet's pressure [bench: inlet_factor]
-  core::Positive largest_inlet_factor = 0.01;  ///< largest factor on the inlet's pressure [bench: inlet_factor]
-  core::Share longest_film_step = 1e-3;        ///< largest relative change of the film [bench: inlet_factor]
-  core::Share first_step_back = 0.15;          ///< first step back towards the last state
+  core::Positive inlet_factor = 1e-6;  ///< first step of the factor on the inlet's pressure
 
   // Start (start.cpp)
   core::Count sweeps_per_balance = 4;      ///< relaxations per correction of H00 at the start

@@ -68,7 +68,7 @@ class NewtonIteration {
     while (!good(state)) {
       const int taken = static_cast<int>(result_.steps.size());
       if (!std::isfinite(state.residual)) return fail("the residual is not finite");
-      if (taken - best_step_ >= (best_measure_ < tuning_.near ? tuning_.patience_at_the_end : tuning_.patience)) {
+      if (taken - best_step_ >= tuning_.patience) {
         if (best_measure_ > parameters_.tolerance_of_rounding)
           return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
         state = back_to_best();
@@ -96,7 +96,7 @@ class NewtonIteration {
 
  private:
   bool stalls_at_an_edge(int taken) const {
-    return multigrid::may_chatter(hierarchy_.parameters.tuning, best_measure_) && taken - best_step_ >= 2;
+    return best_measure_ > parameters_.tolerance_of_rounding && taken - best_step_ >= 2;
   }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
@@ -116,7 +116,7 @@ class NewtonIteration {
     }
     take_step(longest_shift(state.Hc));
     iterations_ = solved.iterations;
-    keep_factors_ = last_change_ < tuning_.small_change && iterations_ <= tuning_.worn_out * iterations_when_fresh_;
+    keep_factors_ = last_change_ < tuning_.small_change && iterations_ <= iterations_when_fresh_;
     return "";
   }
 

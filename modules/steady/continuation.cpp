@@ -153,8 +153,7 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
       next.Hm = steps.back().Hm;
       previous = std::move(last);
       last = std::move(next);
-      if (steps.back().cycles <= tuning.continuation_few_cycles)
-        stride = std::min(tuning.continuation_longer * stride, std::log(tuning.continuation_longest_step));
+      if (steps.back().cycles <= tuning.continuation_few_cycles) stride *= tuning.continuation_longer;
     } else {
       stride *= 0.5;
       if (stride < std::log(tuning.continuation_shortest_step))

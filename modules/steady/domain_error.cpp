@@ -183,7 +183,7 @@ double estimate_domain_error(const Scene& scene) {
   coarse.solver = {};
   coarse.solver.tuning = scene.solver.tuning;
   coarse.solver.judgement = scene.solver.judgement;
-  coarse.solver.tolerance = scene.tuning.domain_tolerance;
+  coarse.solver.tolerance = scene.solver.judgement.default_tolerance;
   Scene longer = coarse;
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   longer.grid.nx *= 2;

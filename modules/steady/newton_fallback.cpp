@@ -57,7 +57,7 @@ void judge(const Scene& scene, multigrid::Run& run) {
   const judgement::LastCycle last{now, now, record.levels.back().mesh_error_Hc, record.levels.back().mesh_error_Hm};
   record.verification = judgement::verification_of(tuning, last);
   const double asked = run.hierarchy.parameters.tolerance;
-  const double tolerance = std::isfinite(asked) ? asked : scene.tuning.newton_on_the_way;
+  const double tolerance = std::isfinite(asked) ? asked : scene.solver.judgement.default_tolerance;
   std::string unmet = judgement::unmet_check(tuning, last, tolerance);
   if (unmet.empty()) unmet = judgement::unmet_oil(tuning, now);
   record.failed_check = unmet.empty() ? unmet : multigrid::name_of_level(run.hierarchy, l) + ": " + unmet;
@@ -90,7 +90,7 @@ void solve_levels_below(const Scene& scene, multigrid::Run& run) {
     multigrid::start_from_state(run.hierarchy, l, {injected[finest - l - 1], H00});
   };
   const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
-    if (!solve_level_by_newton(scene, run, l, scene.tuning.newton_on_the_way).converged)
+    if (!solve_level_by_newton(scene, run, l, scene.solver.judgement.default_tolerance).converged)
       return run.record.levels.clear();
     run.record.levels.emplace_back();
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
@@ -173,7 +173,8 @@ Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressC
   const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
     const bool last_level = l == run.finest();
     run.record.levels.emplace_back();
-    last = solve_level_by_newton(scene, run, l, last_level ? final_tolerance(scene) : scene.tuning.newton_on_the_way);
+    last = solve_level_by_newton(scene, run, l,
+                                 last_level ? final_tolerance(scene) : scene.solver.judgement.default_tolerance);
     last_reason = multigrid::name_of_level(run.hierarchy, l) + ": " + last.reason;
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
     multigrid::observe(run, l);

@@ -60,8 +60,8 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
 /// neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved.
 bool only_chatters(const Scene& scene, const Solution& solution) {
   const LevelRow& row = solution.levels.back();
-  const Tuning& tuning = scene.tuning;
-  return row.Hm > 0.0 && row.residual <= tuning.chattering_residual && row.load_error <= tuning.chattering_load_error &&
+  return row.Hm > 0.0 && row.residual <= scene.tuning.chattering_residual &&
+         row.load_error <= scene.solver.judgement.loose_load_error &&
          std::abs(solution.oil.imbalance()) <= scene.solver.judgement.largest_oil_imbalance;
 }
 
@@ -109,7 +109,7 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
   // The errors of what each pass leaves behind add up.
-  next.solver.tolerance = std::fmin(scene.tuning.tolerance_between_passes, scene.solver.tolerance);
+  next.solver.tolerance = std::fmin(scene.solver.judgement.default_tolerance, scene.solver.tolerance);
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   if (scene.polish != Polish::off && nodes <= most_nodes_of_newton) {
     Solution solution = follow_by_newton(next, restart, before, progress);

@@ -64,8 +64,7 @@ bool newton_may_follow_cycles(const Search& search) {
 
 /// The cycles may find no state for the meniscus of a supply; Newton's method does.
 bool meniscus_not_found(const Search& search) {
-  return search.next_start > 0 && search.scene.supply && newton_may_follow_cycles(search) &&
-         search.best->levels.back().residual > search.scene.tuning.stalled_residual;
+  return search.next_start > 0 && search.scene.supply && newton_may_follow_cycles(search);
 }
 
 /// Line contacts: a coarse grid lets more or less oil through than the finest, so that a supply near this flow fills

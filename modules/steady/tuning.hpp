@@ -32,14 +32,12 @@ struct Tuning {
   core::Positive largest_first_step = 0.4;            ///< largest cell of the first grid over the size of the contact
   core::Positive widest_step = 2.5;                   ///< largest cell of the first grid over the film zone
   core::Share first_film_of_slender = 0.1;  ///< first film over the expected one [bench: first_H00_of_slender_contacts]
-  core::Positive stalled_residual = 1e-7;   ///< residual above which a stall is due to chattering nodes
 
   // Load continuation (continuation.cpp)
   core::Positive continuation_tolerance = 1e-4;  ///< residual and load error of an intermediate load
   core::Count continuation_most_cycles = 25;     ///< most cycles of an intermediate load [bench: continuation_steps]
   core::Count continuation_few_cycles = 8;  ///< cycles up to which the next step is longer [bench: continuation_steps]
   core::Growth continuation_longer = 1.5;   ///< factor on the step after few cycles [bench: continuation_steps]
-  core::Growth continuation_longest_step = 3.0;  ///< longest step as a factor on the load [bench: continuation_steps]
   core::Growth continuation_shortest_step =
       1.005;                                     ///< shortest step as a factor on the load [bench: continuation_steps]
   core::Positive continuation_coarseness = 1.6;  ///< cell of the continuation's grid over the resolving step
@@ -49,12 +47,8 @@ struct Tuning {
   core::Share heaviest_first = 0.5;  ///< heaviest first load over the scene's [bench: next_first]
 
   // Newton's method and passes (newton_fallback.cpp, passes.cpp)
-  core::Positive newton_on_the_way = 1e-6;         ///< relative residual on the grids below the finest
   core::Count finest_from_hertz = 128;             ///< most cells of a start of Newton's method from the Hertz pressure
-  core::Positive tolerance_between_passes = 1e-9;  ///< relative residual of the passes before the last
   core::Positive chattering_residual = 2e-2;       ///< residual up to which a pass with chattering nodes counts
-  core::Positive chattering_load_error =
-      1e-4;  ///< load error up to which such a pass counts [bench: chattering_residual]
 
   // Domain (domain_error.cpp, accuracy.cpp, grid_keys.cpp)
   core::Positive error_of_closed_domain = 5e-5;  ///< allowed error of a chosen domain with the closed far field
@@ -68,16 +62,13 @@ struct Tuning {
   core::Positive most_of_load = 0.02;  ///< allowed error by the load outside, far field zero [bench: zero_domain]
   core::Positive wider_closed_domain = 1.25;  ///< half width over half length with the closed far field
   core::Positive least_half_width = 1.4;      ///< least half width over that of an ellipse
-  core::Positive domain_worth_a_look = 0.01;  ///< rough error of the domain from which coarse solutions estimate it
-  core::Positive domain_tolerance = 1e-4;     ///< residual of the coarse solutions for the error of the domain
+  core::Positive domain_worth_a_look = 0.01;  ///< error of the domain that coarse solutions estimate, and a warning
   core::Count domain_fewest_cells = 32;       ///< least cells along x of these coarse solutions
-  core::Share share_of_domain = 0.5;          ///< share of a required accuracy for the domain [bench: shares_of_domain]
-  core::Share larger_share_of_domain = 0.7;   ///< share for the domain that is tried next [bench: shares_of_domain]
+  core::Share share_of_domain = 0.5;          ///< share of a required accuracy for the domain
   core::Count most_coarse_cells = 1024;       ///< most cells along x of the solutions on larger domains
   core::Positive longest_domain = 200.0;      ///< longest domain in Hertz radii
   core::Positive longest_in_contacts = 72.0;  ///< longest domain over the size of the contact [bench: longest_domain]
   core::Share predicted_share = 0.95;         ///< predicted over allowed error of the next grid
-  core::Positive tolerance_of_coarse = 1e-6;  ///< residual of the solutions on larger domains
 
   // Cells (grid_keys.cpp, resolution.cpp)
   core::Positive cells_on_circle = 48.0;        ///< least cells across the shorter axis of an oblique ellipse
@@ -124,12 +115,6 @@ struct Tuning {
   core::Positive least_supply_difference = 0.05;  ///< least difference of two supplies that gives a derivative
   core::Share relief_lost = 0.05;                 ///< largest share of the relief's variance lost on half as many cells
 
-  // Warnings (warnings.cpp)
-  core::Positive cut_off_pressure = 1e-3;  ///< pressure at a boundary over the maximum [bench: warnings]
-  core::Positive domain_warning = 0.01;    ///< change of Hc on the double domain [bench: warnings]
-  core::Count cells_to_meniscus = 3;       ///< cells from the inlet at which a meniscus is too close [bench: warnings]
-  core::Positive starvation_above_one = 1.01;  ///< starvation factor that the mesh cannot explain [bench: warnings]
-  core::Share roller_end = 0.8;  ///< share of the half length from which the end of a roller cuts [bench: warnings]
 };
 // clang-format on
 

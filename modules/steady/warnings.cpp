@@ -12,6 +12,14 @@ namespace {
 
 /// An estimated error above this only shows that the film is far from resolved.
 constexpr double hardly_an_error = 1.0;
+/// Pressure at a boundary over the maximum from which the domain is too short.
+constexpr double cut_off_pressure = 1e-3;
+/// A meniscus within this many cells of the inlet is too close to it.
+constexpr int cells_to_meniscus = 3;
+/// The mesh cannot explain a starvation factor above this.
+constexpr double starvation_above_one = 1.01;
+/// The end of a roller cuts where the film is negative beyond this share of the half length.
+constexpr double roller_end = 0.8;
 
 std::string percent(double value) {
   char buffer[32];
@@ -33,7 +41,7 @@ double largest_along_sides(const Solution& solution) {
   return largest;
 }
 
-void warn_of_supply(const Tuning& tuning, const Starvation& found, core::Warnings& warnings) {
+void warn_of_supply(const Starvation& found, core::Warnings& warnings) {
   if (found.line && found.filled > 0.0)
     warnings.push_back({"supply-left",
                         "the supply exceeds what passes through the contact, and a line contact has no side flow: the "
@@ -42,14 +50,14 @@ void warn_of_supply(const Tuning& tuning, const Starvation& found, core::Warning
     warnings.push_back(
         {"supply-left", "the supply exceeds what the domain can hold: at " + percent(found.filled) +
                             " of the inlet boundary the gap is full, and this oil is lost; move x_inlet upstream"});
-  else if (found.cells_to_inlet <= tuning.cells_to_meniscus)
+  else if (found.cells_to_inlet <= cells_to_meniscus)
     warnings.push_back(
         {"meniscus-at-inlet", "the meniscus is only " + std::to_string(found.cells_to_inlet) +
                                   " cells from the inlet boundary, which may displace it; move x_inlet upstream"});
   if (!found.flooded_converged)
     warnings.push_back({"no-flooded-film",
                         "the flooded contact, solved for comparison, did not converge: there is no starvation factor"});
-  if (found.factor > tuning.starvation_above_one)
+  if (found.factor > starvation_above_one)
     warnings.push_back(
         {"starvation-above-1",
          "the starvation factor is above 1, which is not physical: the mesh resolves neither film; use more cells"});
@@ -88,7 +96,7 @@ std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution
   if (!contact::roller(scene.contact.shape) || solution.H.nodes_x() == 0) return {};
   const core::Location least = core::minimum(solution.H);
   const double Y = solution.grid.Y(least.j);
-  if (!(least.value < 0.0) || std::abs(Y) < scene.tuning.roller_end * 0.5 * scene.contact.shape.length) return {};
+  if (!(least.value < 0.0) || std::abs(Y) < roller_end * 0.5 * scene.contact.shape.length) return {};
   char place[64];
   std::snprintf(place, sizeof place, "H = %.3g at y = %.4g a", least.value, Y);
   return std::string("the film is negative at the end of the roller, ") + place +
@@ -117,13 +125,13 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
                                     (error > hardly_an_error ? "at least " : "") +
                                     std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
                                     " would bring both below 10 %"});
-  if (std::abs(solution.domain_error_Hc) > scene.tuning.domain_warning)
+  if (std::abs(solution.domain_error_Hc) > scene.tuning.domain_worth_a_look)
     warnings.push_back(
         {"domain",
          "the domain is too short: on a domain twice as long and wide Hc differs by about " +
              percent(std::abs(solution.domain_error_Hc)) +
              " (an estimate), and larger domains may add as much again; move x_inlet upstream and widen y_half"});
-  if (solution.starvation) warn_of_supply(scene.tuning, *solution.starvation, warnings);
+  if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
   if (solution.chattering_nodes > 0)
     warnings.push_back(
         {"edge-of-film", "at " + std::to_string(solution.chattering_nodes) +
@@ -142,11 +150,11 @@ core::Warnings warnings_of(const Scene& scene, const Solution& solution) {
                                                    "the mesh and has no error bar; use more cells"});
   const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
-  if (!scene.far_field && outlet > scene.tuning.cut_off_pressure * P_max)
+  if (!scene.far_field && outlet > cut_off_pressure * P_max)
     warnings.push_back({"outlet", "the outlet is too short: the pressure next to the boundary is still " +
                                       percent(outlet / P_max) + " of its maximum; move x_outlet downstream"});
   const double sides = largest_along_sides(solution);
-  if (!scene.far_field && !contact::roller(scene.contact.shape) && sides > scene.tuning.cut_off_pressure * P_max)
+  if (!scene.far_field && !contact::roller(scene.contact.shape) && sides > cut_off_pressure * P_max)
     warnings.push_back({"sides", "the domain is too narrow: the pressure next to its sides is still " +
                                      percent(sides / P_max) + " of its maximum; widen y_half"});
   return warnings;

@@ -1,8 +1,5 @@
 #include "transient/jump.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace ehl::transient {
 namespace {
 
@@ -30,12 +27,6 @@ bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step) {
   return true;
 }
 
-int bits_between(const Tuning& tuning, const Drive& from, const Drive& to) {
-  const double bits = std::max(std::abs(to.load / from.load - 1.0) / tuning.bit_of_load,
-                               std::abs(to.speed - from.speed) / tuning.bit_of_speed);
-  return std::max(1, static_cast<int>(std::ceil(bits)));
-}
-
 Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
   const auto between = [share](double a, double b) { return a == b ? a : a + share * (b - a); };
   return {.load = from.load + share * (to.load - from.load),
@@ -45,8 +36,8 @@ Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
 }
 
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {
-  double bit = 1.0 / bits_between(dae.tuning(), from, to);
-  const double least_bit = dae.tuning().least_share_of_a_bit * bit;
+  double bit = 1.0;
+  const double least_bit = dae.tuning().least_bit;
   for (double share = 0.0; share < 1.0;) {
     const double next = share + bit > 1.0 - 0.5 * least_bit ? 1.0 : share + bit;
     if (solve_euler_step(dae, part_of_the_way(from, to, next), step))

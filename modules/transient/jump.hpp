@@ -26,14 +26,11 @@ inline StepReport report_of(const EulerStep& step) {
 /// then still the guess.
 bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step);
 
-/// Number of increments from one drive to another that are small enough for the cycles.
-int bits_between(const Tuning& tuning, const Drive& from, const Drive& to);
-
 /// Drive between two others; share from 0 to 1.
 Drive part_of_the_way(const Drive& from, const Drive& to, double share);
 
-/// Solves a step in which the drive changes from one value to another, by increments that are halved if the cycles do
-/// not converge. returns false if they fail with the smallest increment.
+/// Solves a step in which the drive changes from one value to another: at once, or by increments that are halved until
+/// the cycles converge. returns false if they fail with the smallest increment.
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step);
 
 }  // namespace ehl::transient

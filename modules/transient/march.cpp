@@ -127,7 +127,7 @@ class March {
   bool cross(Ida& ida, double next_stop) {
     EulerStep step;
     step.y.assign(ida.y().begin(), ida.y().end());
-    if (!short_steps(step, drive(report_.T), tuning_.micro_step, next_stop)) return false;
+    if (!short_steps(step, drive(report_.T), tuning_.first_step, next_stop)) return false;
     ++report_.restarts;
     ida.restart(report_.T, step.y, step.yp, step.length);
     return true;
@@ -141,7 +141,7 @@ class March {
   bool set_off(double next_stop, Checkpoint& start) {
     EulerStep step;
     step.y = start.y;
-    if (!short_steps(step, drive(0.0), std::min(tuning_.micro_step, 0.1 * report_.longest_step), next_stop))
+    if (!short_steps(step, drive(0.0), std::min(tuning_.first_step, 0.1 * report_.longest_step), next_stop))
       return false;
     start.T = report_.T;
     start.y = step.y;

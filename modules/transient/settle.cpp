@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,15 +21,15 @@ double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Dr
   dae.pose(0.0, drive, 0.0);
   multigrid::update_film(hierarchy, hierarchy.finest());
   const std::size_t l = hierarchy.levels.size() - 1;
-  const Tuning& tuning = dae.tuning();
+  const double settled = dae.tuning().settled_residual, solved = hierarchy.parameters.judgement.solved_residual;
   double residual = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most; ++k) {
     dae.cycle();
     const double now = multigrid::measures_of(hierarchy, l).residual;
     if (!std::isfinite(now)) return now;
-    const bool rounding = now < tuning.hopeless_residual && now > 0.9 * residual;
+    const bool rounding = now < solved && now > 0.9 * residual;
     residual = now;
-    if (now < tuning.settled_residual || rounding) break;
+    if (now < settled || rounding) break;
   }
   return residual;
 }
@@ -36,7 +37,8 @@ double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Dr
 // Moves the current state to the steady state at T = 0. returns why that failed; empty if it succeeded.
 std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const Tuning& tuning = dae.tuning();
-  const int bits = bits_between(tuning, Drive{}, start);
+  const double distance = std::max(std::abs(start.load - 1.0), std::abs(start.speed - 1.0));
+  const int bits = std::max(1, static_cast<int>(std::ceil(distance / tuning.bit_of_start)));
   double residual = 0.0;
   try {
     for (int k = 1; k <= bits; ++k) {
@@ -48,7 +50,8 @@ std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const 
   }
   const double Hm = core::minimum(hierarchy.finest().H).value;
   if (!std::isfinite(residual + Hm)) return "its film or its pressure is not finite";
-  if (!(residual < tuning.hopeless_residual)) return fmt::format("its relative residual is {:.1e}", residual);
+  if (!(residual < hierarchy.parameters.judgement.solved_residual))
+    return fmt::format("its relative residual is {:.1e}", residual);
   const double error = dae.load_balance().error;
   // Separated bodies without pressure have no residual, only this error.
   if (!(error < tuning.hopeless_load_error))
@@ -64,9 +67,9 @@ void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start
   const multigrid::State from = multigrid::state_of(hierarchy, l);
   std::string reason = way_to_rest(hierarchy, dae, start);
   // As for the steady solution: stronger damping if the cycles diverge. The time steps keep it.
-  const double less = dae.tuning().less_weight;
-  while (!reason.empty() && less * dae.weight() >= dae.tuning().least_weight) {
-    dae.set_weight(less * dae.weight());
+  const multigrid::Tuning& damping = hierarchy.parameters.tuning;
+  while (!reason.empty() && damping.back_off * dae.weight() >= damping.least_all) {
+    dae.set_weight(damping.back_off * dae.weight());
     multigrid::start_from_state(hierarchy, l, from);
     prepare(hierarchy);
     hierarchy.coarsest_weight = 1.0;

@@ -25,13 +25,10 @@ struct Tuning {
   // Time steps (conditions.cpp, march.cpp, jump.cpp)
   core::Positive longest_step = 0.1;      ///< longest step in a/u_m: 20 from -a to a
   core::Share share_of_vibration = 0.05;  ///< longest step over a free vibration [bench: transient_longest_step]
-  core::Positive first_step = 1e-3;       ///< first step; later ones double [bench: transient_first_steps]
+  core::Positive first_step = 1e-3;  ///< first step, and short steps after a jump [bench: transient_first_steps]
   core::Share after_checkpoint = 0.1;  ///< first step after a checkpoint over the last [bench: transient_first_steps]
-  core::Positive micro_step = 1e-3;    ///< length of the short steps after a jump [bench: transient_micro_steps]
   core::Count micro_steps = 4;         ///< number of the short steps after a jump
-  core::Positive bit_of_load = 0.02;   ///< first relative increment of the load across a jump [bench: transient_bits]
-  core::Positive bit_of_speed = 0.1;   ///< first increment of the speed across a jump [bench: transient_bits]
-  core::Share least_share_of_a_bit = 1.0 / 64.0;  ///< least increment over the first one [bench: transient_bits]
+  core::Share least_bit = 1.0 / 64.0;  ///< least part of a jump in one increment [bench: transient_bits]
 
   // Line contacts (scene_in_time.cpp)
   core::Positive unit_of_line = 4.0;         ///< zero of the line kernel's logarithm in contact sizes
@@ -39,12 +36,10 @@ struct Tuning {
 
   // State at the start (settle.cpp)
   core::Positive settled_residual = 1e-9;   ///< relative residual of a steady state [bench: transient_settle]
-  core::Positive hopeless_residual = 1e-5;  ///< residual that may be rounding if it stagnates [bench: transient_settle]
   core::Positive hopeless_load_error = 0.01;  ///< largest relative error of the load [bench: transient_settle]
-  core::Count most_settling_cycles = 60;      ///< most cycles to the steady state [bench: transient_settle]
-  core::Reduction less_weight = 0.8;          ///< factor on the weights if they diverge [bench: transient_settle]
-  core::Share least_weight = 0.5;             ///< lower limit of less_weight [bench: transient_settle]
+  core::Positive bit_of_start = 0.1;          ///< increment of load and speed at the start [bench: transient_bits]
   core::Count cycles_per_bit = 3;             ///< cycles per increment of load and speed
+  core::Count most_settling_cycles = 60;      ///< most cycles to the steady state [bench: transient_settle]
 };
 // clang-format on
 

@@ -32,7 +32,7 @@ double over_allowed(const judgement::Tuning& judged, const Parameters& parameter
   sequence.push_back(now.*value);
   double error = parameters.below.empty() ? parameters.error
                                           : judgement::estimate_error(judged, sequence, tuning.order).relative_error;
-  if (std::isnan(error)) error = tuning.unknown_error;
+  if (std::isnan(error)) error = judged.largest_licence;
   const double allowed = parameters.share * std::clamp(error, tuning.least_error, judged.largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
   const double change = std::abs(now.*value - history.before.*value);
@@ -41,7 +41,7 @@ double over_allowed(const judgement::Tuning& judged, const Parameters& parameter
 
 // Runs cycles with constant factors: one if it reduces the residual enough, more if the damping must increase first.
 // returns false if they find no film.
-bool cycle(const Tuning& tuning, multigrid::Run& run, std::size_t l, bool first, LastCycle& last) {
+bool cycle(const Tuning& tuning, multigrid::Run& run, std::size_t l, LastCycle& last) {
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   bool done = false;
   const multigrid::CycleObserver observe = [&](int number, const Measures& now) {
@@ -61,7 +61,6 @@ bool cycle(const Tuning& tuning, multigrid::Run& run, std::size_t l, bool first,
       run.damping, observe);
   run.damping = result.damping;
   last = result.last;
-  last.first = first;
   const multigrid::LevelRow& row = run.record.levels.back();
   const double one_grid = judgement::error_of_one_grid(hierarchy.parameters.judgement, hierarchy.levels[l].grid.hx(),
                                                        last.after.Hm, tuning.order);
@@ -79,8 +78,8 @@ Pass pass_of(const judgement::Tuning& judged, const Measures& measures, const th
     return over_allowed(judged, parameters, pass, history, value, least);
   };
   pass.change =
-      std::max({change_of(&Pass::Hc, 0.0), change_of(&Pass::Hm, 0.0), change_of(&Pass::mu, parameters.tuning.least_mu),
-                change_of(&Pass::theta, parameters.tuning.least_theta)});
+      std::max({change_of(&Pass::Hc, 0.0), change_of(&Pass::Hm, 0.0), change_of(&Pass::mu, parameters.tuning.zero),
+                change_of(&Pass::theta, parameters.tuning.zero)});
   return pass;
 }
 
@@ -153,13 +152,12 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     const multigrid::Damping damping = run.damping;
     factors_before = *level.factors;
     const double asked = renew(tuning, hierarchy, l, n, film, weight, result.balance);
-    const double factor = std::clamp(asked / asked_before, tuning.least_q, tuning.most_q);
+    const double factor = std::clamp(asked / asked_before, judged.best_factor, judged.worst_factor);
     if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
     history.factor = factor;
-    // The required change falls by the factor 1 - weight if the film does not react.
-    const bool falls = asked < (1.0 - tuning.half_of_it * weight) * asked_before;
-    weight = falls ? std::min(1.0, tuning.more * weight) : std::max(tuning.least_weight, tuning.less * weight);
-    const bool good = std::isfinite(asked) && cycle(tuning, run, l, n == 1, last);
+    weight = asked < asked_before ? std::min(1.0, weight / tuning.less)
+                                  : std::max(tuning.least_weight, tuning.less * weight);
+    const bool good = std::isfinite(asked) && cycle(tuning, run, l, last);
     Pass pass = good ? pass_of(judged, last.after, result.balance, history, parameters) : history.before;
     pass.weight = weight;
     pass.undone = !good;
@@ -182,11 +180,12 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     run.damping = damping;
     if (weight >= tuning.least_weight) continue;
     // No under-relaxation helps: damping of the cycles, as for a difficult isothermal film.
-    run.damping = {.all = tuning.back_off * damping.all,
-                   .steep = tuning.back_off * damping.steep,
+    const multigrid::Tuning& of_cycles = hierarchy.parameters.tuning;
+    run.damping = {.all = of_cycles.back_off * damping.all,
+                   .steep = of_cycles.back_off * damping.steep,
                    .relax_after = true,
                    .weighted = damping.weighted};
-    if (run.damping.all < tuning.least_damping) return result;
+    if (run.damping.all < of_cycles.least_all) return result;
     weight = 1.0;
   }
   return result;

@@ -18,7 +18,7 @@ double error_of(const Tuning& tuning, const judgement::Tuning& judged, const std
   for (const Row& row : rows) sequence.push_back(row.*value);
   const double order = sequence.size() < 3 ? tuning.order_of_two_grids : tuning.order;
   const double estimated = tuning.wider * judgement::estimate_error(judged, sequence, order).relative_error;
-  return std::isnan(estimated) ? estimated : std::max(estimated, tuning.least_bar);
+  return std::isnan(estimated) ? estimated : std::max(estimated, tuning.least_error);
 }
 
 // Temperature that a spike may reach on finer grids; NaN if it cannot be estimated.

@@ -98,7 +98,7 @@ void pass_on(HeatedRun& heated, std::size_t l, thermal::Setup setup) {
   if (l < run.finest()) {
     // Enough for a good start and an error estimate. An inlet with recirculation settles slowly: on finer grids its
     // remaining change per pass is below the allowed one and would stay.
-    parameters.tolerance = tuning.residual_below;
+    parameters.tolerance = tuning.change_below;
     parameters.below.clear();
     parameters.error = (heated.found.empty() ? tuning.change_of_first : tuning.change_below) / parameters.share;
   }

@@ -80,10 +80,10 @@ BOOST_AUTO_TEST_CASE(every_number_can_be_set) {
       read_all(moes + in_time, [](const std::string& name) { return !name.starts_with("heat."); });
   // They travel with the scene and with the run in time.
   BOOST_TEST(input.scene.solver.tuning.patience == multigrid::Tuning{}.patience + 1);
-  BOOST_TEST(input.scene.solver.judgement.fewest_first_cycles == judgement::Tuning{}.fewest_first_cycles + 1);
+  BOOST_TEST(input.scene.solver.judgement.settled_change == 0.75 * judgement::Tuning{}.settled_change);
   BOOST_TEST(input.scene.newton.patience == newton::Tuning{}.patience + 1);
   BOOST_TEST(input.scene.tuning.settling_sweeps == steady::Tuning{}.settling_sweeps + 1);
-  BOOST_TEST(input.transient->conditions.tuning.micro_steps == transient::Tuning{}.micro_steps + 1);
+  BOOST_TEST(input.transient->conditions.tuning.edge_reach == transient::Tuning{}.edge_reach + 1);
   BOOST_TEST(read_all(thinned + moes, of_heat).tuning.heat.most_cycles == heat::Tuning{}.most_cycles + 1);
 }
 
