@@ -68,7 +68,7 @@ class NewtonIteration {
     while (!good(state)) {
       const int taken = static_cast<int>(result_.steps.size());
       if (!std::isfinite(state.residual)) return fail("the residual is not finite");
-      if (taken - best_step_ >= tuning_.patience) {
+      if (taken - best_step_ >= (best_measure_ < tuning_.near ? tuning_.patience_at_the_end : tuning_.patience)) {
         if (best_measure_ > parameters_.tolerance_of_rounding)
           return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
         state = back_to_best();

@@ -11,7 +11,9 @@ struct Tuning {
   core::Share loose = 1e-2;             ///< largest tolerance of a linear system [bench: newton_linear_tolerance]
   core::Share tight = 1e-5;             ///< least tolerance of a linear system [bench: newton_linear_tolerance]
   core::Share last_bit = 0.03;          ///< last linear tolerance over what is needed [bench: newton_linear_tolerance]
-  core::Count patience = 5;             ///< steps without a better state until it ends
+  core::Count patience = 20;            ///< steps without a better state until it fails
+  core::Count patience_at_the_end = 5;  ///< steps without a better state near the solution [bench: newton_patience]
+  core::Positive near = 1e-6;           ///< residual that counts as near the solution [bench: newton_patience]
   core::Share step_tolerance = 1e-3;    ///< tolerance of the linear systems in time
   core::Count step_worn_out = 8;        ///< iterations at which factors are replaced in time [bench: worn_out_factors]
 };
