@@ -257,11 +257,17 @@ void check_fits(const TransientResult& before, const Case& input, const std::str
     damaged(path, "the times of its checkpoint, rows, fields and deck do not agree");
   if (static_cast<std::size_t>(checkpoint.frames) != before.frames.size() || checkpoint.restarts < 0)
     damaged(path, "the number of fields does not match its checkpoint");
-  for (const transient::Frame& frame : before.frames)
+  const auto fits = [&](const core::Field& field) {
+    return field.nodes_x() == input.scene.grid.nodes_x() && field.nodes_y() == input.scene.grid.nodes_y();
+  };
+  for (const transient::Frame& frame : before.frames) {
     for (const core::Field* field : {&frame.P, &frame.H, &frame.theta})
-      if (field->nodes_x() > 0 &&
-          (field->nodes_x() != input.scene.grid.nodes_x() || field->nodes_y() != input.scene.grid.nodes_y()))
+      if (field->nodes_x() > 0 && !fits(*field))
         damaged(path, "its fields belong to another grid than that of its deck");
+    const bool needs_P = input.subsurface.has_value();
+    if ((needs_P && !fits(frame.P)) || !std::ranges::all_of(frame.measured, fits))
+      damaged(path, "it lacks fields that its deck asks for");
+  }
 }
 
 }  // namespace ehl::program
