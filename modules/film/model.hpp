@@ -35,7 +35,7 @@ struct Station {
   std::span<const double> H;
   bool along = false;
   const FactorFields* factors = nullptr;  ///< of this grid, if the model has factors
-  double sliding = 1.0;                   ///< factor on k of the shear thinning: speed of sliding over that in the model
+  double sliding = 1.0;  ///< factor on k of the shear thinning: speed of sliding over that in the model
 };
 
 /// eps = rho_bar H^3/(eta_bar lambda) (eq. 5), Q = rho_bar H.

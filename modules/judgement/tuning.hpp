@@ -18,8 +18,8 @@ struct Tuning {
   core::Positive largest_oil_imbalance = 1e-10;  ///< largest net outflow of oil over its inflow
   core::Share best_factor = 0.25;  ///< least convergence factor in the algebraic error [bench: algebraic_factors]
   core::Share worst_factor = 0.9;  ///< largest convergence factor in the algebraic error [bench: algebraic_factors]
-  core::Positive settled_change = 1e-3;    ///< change of Hc and Hm at which a first grid has settled
-  core::Positive solved_residual = 1e-5;   ///< residual of a state that solves the equations
+  core::Positive settled_change = 1e-3;   ///< change of Hc and Hm at which a first grid has settled
+  core::Positive solved_residual = 1e-5;  ///< residual of a state that solves the equations
 
   // Error estimates (error_estimate.cpp)
   core::Positive safety_of_two = 1.5;             ///< safety factor with two levels [bench: safety]

@@ -38,7 +38,8 @@ void coefficients_of_station(const Hierarchy& hierarchy, Level& level, int i, Th
 void oil_of_station(const Hierarchy& hierarchy, Level& level, int i, ThreadWork& work) {
   OilFields& oil = level.oil;
   const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
-  film::oil(hierarchy.problem.film, station_of(hierarchy, level, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)),
+  film::oil(hierarchy.problem.film,
+            station_of(hierarchy, level, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)),
             work.film,
             {.fluidity = of(oil.fluidity),
              .log_viscosity = of(oil.log_viscosity),
@@ -160,8 +161,7 @@ void make_half_points(Hierarchy& hierarchy, Level& level) {
 void update_coefficients(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   if (along_one_line(hierarchy, level)) return coefficients_along_line(hierarchy, level);
-  for_stations(hierarchy, level,
-               [&](int i, ThreadWork& work) { nodes_of_station(hierarchy, level, i, work); });
+  for_stations(hierarchy, level, [&](int i, ThreadWork& work) { nodes_of_station(hierarchy, level, i, work); });
   make_half_points(hierarchy, level);
 }
 

@@ -26,7 +26,7 @@ struct Tuning {
   core::Positive coarsest_cells = 32.0;        ///< cells along X that these solve [bench: cells_of_coarsest_sweeps]
   core::Positive coarsest_lines = 16.0;  ///< lines that these solve, stretched cells [bench: lines_of_coarsest_sweeps]
   core::Positive coarsest_raised = 2.0;  ///< growth of the residual in a visit that is repeated
-  core::Share largest_fall = 0.5;           ///< largest relative fall of the central film in a visit
+  core::Share largest_fall = 0.5;        ///< largest relative fall of the central film in a visit
 
   // Damping of the cycles (cycles.cpp)
   core::Share rough_factor = 0.4;          ///< convergence factor above which a cycle is slow
@@ -34,10 +34,10 @@ struct Tuning {
   core::Count patience = 6;                ///< cycles in which the residual must fall [bench: cycles_patience]
   core::Share hardly_less = 0.5;           ///< factor by which the residual must fall in them [bench: cycles_patience]
   core::Share poor_factor = 0.75;          ///< convergence factor above which a cycle is poor
-  core::Share back_off = 0.8;         ///< factor on weights that are too large: the steep weight first, then all
-  core::Share least_steep = 0.6;     ///< lower limit of the steep weight [bench: back_off]
-  core::Share least_all = 0.5;       ///< lower limit of all weights [bench: back_off]
-  core::Share good_factor = 0.6;     ///< convergence factor that raises the steep weight [bench: steep_weight_growth]
+  core::Share back_off = 0.8;              ///< factor on weights that are too large: the steep weight first, then all
+  core::Share least_steep = 0.6;           ///< lower limit of the steep weight [bench: back_off]
+  core::Share least_all = 0.5;             ///< lower limit of all weights [bench: back_off]
+  core::Share good_factor = 0.6;  ///< convergence factor that raises the steep weight [bench: steep_weight_growth]
   core::Positive growth_per_cycle = 1.25;  ///< factor on the steep weight by a good cycle [bench: steep_weight_growth]
   core::Positive growth_limit = 1.4;       ///< upper limit of these factors together [bench: steep_weight_growth]
   core::Count krylov_states = 4;           ///< states of the Krylov acceleration
@@ -52,9 +52,9 @@ struct Tuning {
   core::Share thinnest_supply = 0.01;       ///< last supply over the flooded film [bench: supply_steps]
 
   // Global mass correction (mass_balance.cpp)
-  core::Positive balanced_oil = 5e-11;       ///< largest mass defect over the flow
-  core::Positive inlet_pressure = 0.03;      ///< pressure below which the inlet is corrected
-  core::Positive inlet_factor = 1e-6;  ///< first step of the factor on the inlet's pressure
+  core::Positive balanced_oil = 5e-11;   ///< largest mass defect over the flow
+  core::Positive inlet_pressure = 0.03;  ///< pressure below which the inlet is corrected
+  core::Positive inlet_factor = 1e-6;    ///< first step of the factor on the inlet's pressure
 
   // Start (start.cpp)
   core::Count sweeps_per_balance = 4;      ///< relaxations per correction of H00 at the start

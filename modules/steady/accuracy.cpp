@@ -170,16 +170,20 @@ std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainEr
   const Tuning& tuning = scene.tuning;
   const double longest = std::min(tuning.longest_domain * contact::extent(scene.contact.shape).X,
                                   tuning.longest_in_contacts * scene.contact.size);
-  double size = 1.0;
-  while (error.left(size) > tuning.share_of_domain * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest)
-    size *= step_of_size;
-  const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size, sides_of(scene)) : scene.grid;
-  const std::string forbids = -larger.X_a > longest
-                                  ? "the length of the domain: more than " + std::to_string(std::lround(longest)) +
-                                        " Hertz radii would be needed"
-                                  : forbidden(scene, larger);
-  if (!forbids.empty()) return {scene.grid, forbids};
-  return {larger, ""};
+  std::string stopped;
+  for (const double share : {tuning.share_of_domain, tuning.larger_share_of_domain}) {
+    double size = 1.0;
+    while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest)
+      size *= step_of_size;
+    const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size, sides_of(scene)) : scene.grid;
+    const std::string forbids = -larger.X_a > longest
+                                    ? "the length of the domain: more than " + std::to_string(std::lround(longest)) +
+                                          " Hertz radii would be needed"
+                                    : forbidden(scene, larger);
+    if (forbids.empty()) return {larger, ""};
+    if (stopped.empty()) stopped = forbids;
+  }
+  return {scene.grid, stopped};
 }
 
 Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveOnGrid& solve_on_grid,

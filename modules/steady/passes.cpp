@@ -109,7 +109,7 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
   // The errors of what each pass leaves behind add up.
-  next.solver.tolerance = std::fmin(scene.solver.judgement.default_tolerance, scene.solver.tolerance);
+  next.solver.tolerance = std::fmin(scene.tuning.tolerance_between_passes, scene.solver.tolerance);
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   if (scene.polish != Polish::off && nodes <= most_nodes_of_newton) {
     Solution solution = follow_by_newton(next, restart, before, progress);

@@ -48,6 +48,7 @@ struct Tuning {
 
   // Newton's method and passes (newton_fallback.cpp, passes.cpp)
   core::Count finest_from_hertz = 128;             ///< most cells of a start of Newton's method from the Hertz pressure
+  core::Positive tolerance_between_passes = 1e-9;  ///< relative residual of the passes before the last
   core::Positive chattering_residual = 2e-2;       ///< residual up to which a pass with chattering nodes counts
 
   // Domain (domain_error.cpp, accuracy.cpp, grid_keys.cpp)
@@ -64,7 +65,8 @@ struct Tuning {
   core::Positive least_half_width = 1.4;      ///< least half width over that of an ellipse
   core::Positive domain_worth_a_look = 0.01;  ///< error of the domain that coarse solutions estimate, and a warning
   core::Count domain_fewest_cells = 32;       ///< least cells along x of these coarse solutions
-  core::Share share_of_domain = 0.5;          ///< share of a required accuracy for the domain
+  core::Share share_of_domain = 0.5;          ///< share of a required accuracy for the domain [bench: shares_of_domain]
+  core::Share larger_share_of_domain = 0.7;   ///< share for the domain that is tried next [bench: shares_of_domain]
   core::Count most_coarse_cells = 1024;       ///< most cells along x of the solutions on larger domains
   core::Positive longest_domain = 200.0;      ///< longest domain in Hertz radii
   core::Positive longest_in_contacts = 72.0;  ///< longest domain over the size of the contact [bench: longest_domain]
@@ -114,7 +116,6 @@ struct Tuning {
   core::Positive order_of_supply = 1.0;       ///< assumed order of convergence of a supply
   core::Positive least_supply_difference = 0.05;  ///< least difference of two supplies that gives a derivative
   core::Share relief_lost = 0.05;                 ///< largest share of the relief's variance lost on half as many cells
-
 };
 // clang-format on
 

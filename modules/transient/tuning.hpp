@@ -25,7 +25,7 @@ struct Tuning {
   // Time steps (conditions.cpp, march.cpp, jump.cpp)
   core::Positive longest_step = 0.1;      ///< longest step in a/u_m: 20 from -a to a
   core::Share share_of_vibration = 0.05;  ///< longest step over a free vibration [bench: transient_longest_step]
-  core::Positive first_step = 1e-3;  ///< first step, and short steps after a jump [bench: transient_first_steps]
+  core::Positive first_step = 1e-3;       ///< first step, and short steps after a jump [bench: transient_first_steps]
   core::Share after_checkpoint = 0.1;  ///< first step after a checkpoint over the last [bench: transient_first_steps]
   core::Count micro_steps = 4;         ///< number of the short steps after a jump
   core::Share least_bit = 1.0 / 64.0;  ///< least part of a jump in one increment [bench: transient_bits]
@@ -35,7 +35,7 @@ struct Tuning {
   core::Positive far_squeeze_of_line = 0.2;  ///< film that a relaxation displaces around a node
 
   // State at the start (settle.cpp)
-  core::Positive settled_residual = 1e-9;   ///< relative residual of a steady state [bench: transient_settle]
+  core::Positive settled_residual = 1e-9;     ///< relative residual of a steady state [bench: transient_settle]
   core::Positive hopeless_load_error = 0.01;  ///< largest relative error of the load [bench: transient_settle]
   core::Positive bit_of_start = 0.1;          ///< increment of load and speed at the start [bench: transient_bits]
   core::Count cycles_per_bit = 3;             ///< cycles per increment of load and speed

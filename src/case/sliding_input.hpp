@@ -24,7 +24,7 @@ double stress_of_sliding(const Physics& physics);
 /// Nothing if the deck has no [shear] or has errors already. Errors are added to the deck.
 struct ShearInput {
   rheology::ShearThinning sliding;
-  double k_of_u_m = 0.0;  ///< k of `sliding` at |u1 - u2| = u_m
+  double k_of_u_m = 0.0;                         ///< k of `sliding` at |u1 - u2| = u_m
   std::optional<rheology::FlowThinning> flow{};  ///< nothing: flow thinning only to first order
 };
 /// The thinning by sliding, k = eta_0 (u1 - u2) R/(a^2 tau_c), and by the pressure flow if [shear] flow = on.

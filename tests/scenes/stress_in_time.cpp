@@ -123,9 +123,9 @@ BOOST_AUTO_TEST_CASE(coarse_samples_warn_and_missing_ones_are_refused) {
   cells << 0.5 / (x[1] - x[0]) << " cells";
   BOOST_TEST((ended.out + ended.err).find("[coarse-history]") != std::string::npos);
   BOOST_TEST((ended.out + ended.err).find(cells.str()) != std::string::npos, cells.str() + ended.out);
-  support::check_refused(
-      folder,
-      {"no stored times", line + rubs + stresses + "[transient]\nend_time = 1\n", {"[subsurface] depth", "output_interval"}});
+  support::check_refused(folder, {"no stored times",
+                                  line + rubs + stresses + "[transient]\nend_time = 1\n",
+                                  {"[subsurface] depth", "output_interval"}});
   support::check_refused(folder, {"no stored pressures",
                                   line + stresses +
                                       "[output]\nfields = H\n[transient]\nend_time = 1\n"
