@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused) {
            {"si.ini --set friction.limit=0", "[friction] limit = 0"},
            {"si.ini --set friction.limit=-0.1", "[friction] limit = -0.1"},
            {"plain.ini --set friction.limit=0.1", "[friction] limit"},
-           {"si.ini --set transient.end_time=1", "[shear] law = eyring"},
+           {"si.ini --set transient.end_time=1 --set shear.flow=on", "[shear] flow = on"},
            {"dry.ini", "[friction] cavitated = striated"},
            {"moes.ini --set motion.u1=1", "[motion] u1 = 1"},
            {"plain.ini --set contact.a_over_R=0.01", "a_over_R = 0.01"},

@@ -155,8 +155,9 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     const double factor = std::clamp(asked / asked_before, judged.best_factor, judged.worst_factor);
     if (n > 1) history.q = n > 2 && parameters.slow ? std::max(factor, history.factor) : factor;
     history.factor = factor;
-    weight = asked < asked_before ? std::min(1.0, weight / tuning.less)
-                                  : std::max(tuning.least_weight, tuning.less * weight);
+    // The required change falls by the factor 1 - weight if the film does not react.
+    const bool falls = asked < (1.0 - tuning.half_of_it * weight) * asked_before;
+    weight = falls ? std::min(1.0, weight / tuning.less) : std::max(tuning.least_weight, tuning.less * weight);
     const bool good = std::isfinite(asked) && cycle(tuning, run, l, last);
     Pass pass = good ? pass_of(judged, last.after, result.balance, history, parameters) : history.before;
     pass.weight = weight;

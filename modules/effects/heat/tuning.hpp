@@ -8,6 +8,7 @@ namespace ehl::heat {
 struct Tuning {
   // Passes (passes.cpp)
   core::Share least_weight = 0.1;  ///< smallest under-relaxation factor
+  core::Share half_of_it = 0.5;    ///< share of the expected fall that keeps the under-relaxation [bench: heat_weights]
   core::Reduction less = 0.7;  ///< factor on under-relaxation that falls; grows by the inverse [bench: heat_weights]
   core::Positive least_error = 1e-3;   ///< least error, of the criterion and of error bars [bench: heat_errors]
   core::Positive zero = 1e-6;          ///< friction, and temperature rise over T0, that count as zero

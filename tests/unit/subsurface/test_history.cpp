@@ -4,6 +4,8 @@
 
 #include "effects/subsurface/history.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_stress_history)
+
 using namespace ehl;
 using namespace ehl::subsurface;
 
@@ -65,3 +67,5 @@ BOOST_AUTO_TEST_CASE(samples_between_nodes_and_coarse_ones) {
     BOOST_TEST(other.move == step, boost::test_tools::tolerance(1e-9));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
