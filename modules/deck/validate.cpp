@@ -32,7 +32,12 @@ const Unavailable* find_unavailable(const Catalogue& catalogue, const std::strin
 
 std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string near = nearest(name, candidates);
-  return near.empty() ? ". " : ": did you mean " + near + "? ";
+  return near.empty() ? "" : "did you mean " + near + "? ";
+}
+
+// An unknown name and what may be meant; a sentence follows.
+std::string unknown_name(const std::string& what, const std::string& hint) {
+  return what + (hint.empty() ? ". " : ": " + hint);
 }
 
 std::string bracketed(const std::string& section) { return std::string("[").append(quotable(section)).append("]"); }
@@ -49,7 +54,7 @@ std::string unknown_section(const Catalogue& catalogue, const std::string& name)
   std::vector<std::string> shown;
   for (const Section& section : catalogue.sections)
     if (!section.on_request) shown.push_back(section.name);
-  return "unknown section" + did_you_mean(name, sections) + "Sections are " + joined(shown, ", ");
+  return unknown_name("unknown section", did_you_mean(name, sections)) + "Sections are " + joined(shown, ", ");
 }
 
 constexpr std::size_t most_of_a_kind = 20;  // number of errors of one kind that are listed
@@ -110,10 +115,10 @@ std::string about_unknown(const Deck& deck, const Assignment& given) {
     return said(given) + "a key before the first [section]" + (home.empty() ? "" : ": it belongs below [" + home + "]");
   if (const Section* section = find_section(deck.catalogue, given.section)) {
     const std::vector<std::string> names = names_in(deck.catalogue, given.section);
-    const std::string hint = home.empty() ? did_you_mean(given.name, names) : ": it belongs below [" + home + "]. ";
+    const std::string hint = home.empty() ? did_you_mean(given.name, names) : "it belongs below [" + home + "]. ";
     const std::string list = section->on_request ? "`ehl keys " + given.section + "` lists the keys"
                                                  : "Keys of [" + given.section + "] are " + joined(names, ", ");
-    return said(given) + "unknown key" + hint + list;
+    return said(given) + unknown_name("unknown key", hint) + list;
   }
   return said(given) + unknown_section(deck.catalogue, given.section);
 }
