@@ -32,7 +32,7 @@ double over_allowed(const judgement::Tuning& judged, const Parameters& parameter
   sequence.push_back(now.*value);
   double error = parameters.below.empty() ? parameters.error
                                           : judgement::estimate_error(judged, sequence, tuning.order).relative_error;
-  if (std::isnan(error)) error = judged.largest_licence;
+  if (std::isnan(error)) error = tuning.unknown_error;
   const double allowed = parameters.share * std::clamp(error, tuning.least_error, judged.largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
   const double change = std::abs(now.*value - history.before.*value);

@@ -9,6 +9,7 @@ const std::vector<core::TunedNumber<Tuning>>& tuned_numbers() {
       {"least_weight", Tunable::share, &Tuning::least_weight, "smallest under-relaxation factor"},
       {"half_of_it", Tunable::share, &Tuning::half_of_it, "share of the expected fall that keeps the under-relaxation"},
       {"less", Tunable::reduction, &Tuning::less, "factor on under-relaxation that falls; grows by the inverse"},
+      {"unknown_error", Tunable::positive, &Tuning::unknown_error, "assumed discretization error on a single grid"},
       {"least_error", Tunable::positive, &Tuning::least_error, "least error, of the criterion and of error bars"},
       {"zero", Tunable::positive, &Tuning::zero, "friction, and temperature rise over T0, that count as zero"},
       {"enough_of_a_pass", Tunable::share, &Tuning::enough_of_a_pass, "factor on the residual at which a pass ends"},
