@@ -14,23 +14,23 @@ set multiplot
 eval panel(1)
 set format x ""
 set ylabel "μ" offset 1, 0
-stats table("transient") using "mu" nooutput prefix "U"
-stats table("transient") using "mu_rolling" nooutput prefix "R"
+stats $table_transient using "mu" nooutput prefix "U"
+stats $table_transient using "mu_rolling" nooutput prefix "R"
 eval span(U_min, U_max)
 few(low, high) = alike(low, high) ? "set ytics auto" : sprintf("set ytics %g", 2 * round_step((high - low) / 5))
 eval few(U_min, U_max)
-plot table("transient") using (T(column("time"))):"mu" with lines lw 1 lc rgb blue title "sliding"
+plot $table_transient using (T(column("time"))):"mu" with lines lw 1 lc rgb blue title "sliding"
 eval panel(2)
 set ylabel "μ_{rolling}" offset 1, 0
 eval span(R_min, R_max)
 eval few(R_min, R_max)
-plot table("transient") using (T(column("time"))):"mu_rolling" with lines lw 1 lc rgb green title "rolling"
+plot $table_transient using (T(column("time"))):"mu_rolling" with lines lw 1 lc rgb green title "rolling"
 eval panel(3)
-set ylabel si ? "power [W".(int(system(read."/grid/y | sed '/^#/d' | wc -l")) > 1 ? "]" : "/m]") : "power [F_0 u_m]" offset 1, 0
-stats table("transient") using "friction_power" nooutput prefix "W"
+set ylabel si ? "power [W".(size_of("/grid/y") > 1 ? "]" : "/m]") : "power [F_0 u_m]" offset 1, 0
+stats $table_transient using "friction_power" nooutput prefix "W"
 eval span(W_min, W_max)
 eval few(W_min, W_max)
-plot table("transient") using (T(column("time"))):"friction_power" with lines lw 1 lc rgb red title "of the motion against the film"
+plot $table_transient using (T(column("time"))):"friction_power" with lines lw 1 lc rgb red title "of the motion against the film"
 eval panel(4)
 set yrange [*:*]
 set ytics auto
@@ -40,10 +40,10 @@ set format x "%g"
 set xlabel axis_T offset 0, 0.4
 set ylabel "F/F_0, u/u_m" offset 1, 0
 set yrange [*:*]
-stats table("transient") using "load" nooutput prefix "L"
-stats table("transient") using "slide_roll_ratio" nooutput prefix "S"
+stats $table_transient using "load" nooutput prefix "L"
+stats $table_transient using "slide_roll_ratio" nooutput prefix "S"
 eval span(L_min < S_min ? L_min : S_min, L_max > S_max ? L_max : S_max)
-plot table("transient") using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
-     table("transient") using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed", \
-     table("transient") using (T(column("time"))):"slide_roll_ratio" with lines lw 1 dt (2, 2) lc rgb red title "slip"
+plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
+     $table_transient using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed", \
+     $table_transient using (T(column("time"))):"slide_roll_ratio" with lines lw 1 dt (2, 2) lc rgb red title "slip"
 unset multiplot

@@ -69,6 +69,10 @@ BOOST_AUTO_TEST_CASE(a_steady_run_keeps_the_steady_friction) {
   const std::string time = "[transient]\nend_time = 1\noutput_interval = 0.5\n";
   for (const std::string& contact : {point, ellipse, line, point + thins, line + thins}) {
     const results::ResultFile file = run(folder, "steady", contact + sliding(0.4) + rubs + time);
+    for (const std::string figure : {"transient_friction", "traction_lines"}) {
+      const support::Ended drawn = support::ehl(folder, "plot steady.h5 --format svg --figure " + figure);
+      BOOST_TEST(drawn.status == 0, drawn.err);
+    }
     for (const char* const name : {"mu", "mu_rolling", "mu_1", "mu_2"}) {
       const double steady = summary(file, name);
       double worst = 0.0;

@@ -77,6 +77,8 @@ BOOST_AUTO_TEST_CASE(exchanged_bodies_exchange_their_histories) {
   };
   const results::ResultFile one = run(folder, "one", deck("0:1.3 1:1.2", "0:0.7 1:0.9", "surface1"));
   const results::ResultFile other = run(folder, "other", deck("0:0.7 1:0.9", "0:1.3 1:1.2", "surface2"));
+  const support::Ended drawn = support::ehl(folder, "plot one.h5 --format svg --figure material_history");
+  BOOST_TEST(drawn.status == 0, drawn.err);
   for (const std::string name : {"most_sigma_mises", "most_tau_max", "range_tau_xz"}) {
     const std::vector<double> first = one.numbers("/history_1/section_" + name).values;
     const double difference = distance(first, other.numbers("/history_2/section_" + name).values);
