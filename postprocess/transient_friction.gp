@@ -9,13 +9,17 @@ load here."/in_time.gp"
 probes = 0
 panels = 5
 high = 27 * stretch * panels + m(top + 8)
+# Before any panel sets a range, which `stats` would obey.
+stats $table_transient using "mu" nooutput prefix "U"
+stats $table_transient using "mu_rolling" nooutput prefix "R"
+stats $table_transient using "friction_power" nooutput prefix "W"
+stats $table_transient using "load" nooutput prefix "L"
+stats $table_transient using "slide_roll_ratio" nooutput prefix "S"
 eval page
 set multiplot
 eval panel(1)
 set format x ""
 set ylabel "μ" offset 1, 0
-stats $table_transient using "mu" nooutput prefix "U"
-stats $table_transient using "mu_rolling" nooutput prefix "R"
 eval span(U_min, U_max)
 few(low, high) = alike(low, high) ? "set ytics auto" : sprintf("set ytics %g", 2 * round_step((high - low) / 5))
 eval few(U_min, U_max)
@@ -27,7 +31,6 @@ eval few(R_min, R_max)
 plot $table_transient using (T(column("time"))):"mu_rolling" with lines lw 1 lc rgb green title "rolling"
 eval panel(3)
 set ylabel si ? "power [W".(size_of("/grid/y") > 1 ? "]" : "/m]") : "power [F_0 u_m]" offset 1, 0
-stats $table_transient using "friction_power" nooutput prefix "W"
 eval span(W_min, W_max)
 eval few(W_min, W_max)
 plot $table_transient using (T(column("time"))):"friction_power" with lines lw 1 lc rgb red title "of the motion against the film"
@@ -40,8 +43,6 @@ set format x "%g"
 set xlabel axis_T offset 0, 0.4
 set ylabel "F/F_0, u/u_m" offset 1, 0
 set yrange [*:*]
-stats $table_transient using "load" nooutput prefix "L"
-stats $table_transient using "slide_roll_ratio" nooutput prefix "S"
 eval span(L_min < S_min ? L_min : S_min, L_max > S_max ? L_max : S_max)
 plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
      $table_transient using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed", \
