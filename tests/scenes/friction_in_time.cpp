@@ -4,13 +4,16 @@
 #include <cmath>
 #include <sstream>
 
-#include "results/read.hpp"
 #include "support/columns.hpp"
 #include "support/program.hpp"
 #include "support/refused.hpp"
+#include "support/solved.hpp"
+#include "support/stopped.hpp"
 #include "support/text.hpp"
 
 using namespace ehl;
+using support::distance;
+using support::solved;
 
 namespace {
 
@@ -29,15 +32,6 @@ std::string sliding(double srr) {
   return text.str();
 }
 
-// The result of a deck.
-results::ResultFile run(const support::TemporaryFolder& folder, const std::string& name, const std::string& deck,
-                        const std::string& more = "") {
-  folder.write(name + ".ini", deck);
-  const support::Ended ended = support::ehl(folder, "run " + name + ".ini --overwrite --quiet " + more);
-  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
-  return results::ResultFile(folder / (name + ".h5"));
-}
-
 std::vector<double> column(const results::ResultFile& file, const std::string& name) {
   return file.numbers("/transient/" + name).values;
 }
@@ -52,14 +46,6 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-// The largest distance of two lists, where the second one is multiplied by a factor.
-double distance(const std::vector<double>& one, const std::vector<double>& other, double factor = 1.0) {
-  BOOST_TEST_REQUIRE(one.size() == other.size());
-  double most = 0.0;
-  for (std::size_t k = 0; k < one.size(); ++k) most = std::max(most, std::abs(one[k] - factor * other[k]));
-  return most;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(test_friction_in_time)
@@ -68,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_steady_run_keeps_the_steady_friction) {
   const support::TemporaryFolder folder;
   const std::string time = "[transient]\nend_time = 1\noutput_interval = 0.5\n";
   for (const std::string& contact : {point, ellipse, line, point + thins, line + thins}) {
-    const results::ResultFile file = run(folder, "steady", contact + sliding(0.4) + rubs + time);
+    const results::ResultFile file = solved(folder, "steady", contact + sliding(0.4) + rubs + time);
     for (const std::string figure : {"transient_friction", "traction_lines"}) {
       const support::Ended drawn = support::ehl(folder, "plot steady.h5 --format svg --figure " + figure);
       BOOST_TEST(drawn.status == 0, drawn.err);
@@ -91,8 +77,8 @@ BOOST_AUTO_TEST_CASE(a_feature_at_rest_has_the_steady_friction) {
   const support::TemporaryFolder folder;
   const std::string dimple = "[surface1]\nshape = dimple\nheight = 0.05\nwidth = 0.6\nx = -0.3\n";
   const std::string deck = point + small + sliding(-2.0) + "[friction]\ncavitated = striated\n" + dimple;
-  const results::ResultFile steady = run(folder, "rest", deck + "at_rest = yes\n");
-  const results::ResultFile timed = run(folder, "timed", deck + "[transient]\nend_time = 8\nrtol = 1e-5\n");
+  const results::ResultFile steady = solved(folder, "rest", deck + "at_rest = yes\n");
+  const results::ResultFile timed = solved(folder, "timed", deck + "[transient]\nend_time = 8\nrtol = 1e-5\n");
   for (const char* const name : {"mu", "mu_rolling", "mu_1"}) {
     const double is = column(timed, name).back(), wanted = summary(steady, name), smooth = summary(timed, name);
     BOOST_TEST_MESSAGE(name << " = " << is << ", steady " << wanted << ", smooth " << smooth);
@@ -109,9 +95,9 @@ BOOST_AUTO_TEST_CASE(exchanged_speeds_mirror_the_friction) {
   };
   const std::string fast = "0:1.3 1:1.1", slow = "0:0.7 1:0.6";
   const results::ResultFile one =
-      run(folder, "one", of(("u1 = " + fast + "\n").c_str(), ("u2 = " + slow + "\n").c_str()));
+      solved(folder, "one", of(("u1 = " + fast + "\n").c_str(), ("u2 = " + slow + "\n").c_str()));
   const results::ResultFile other =
-      run(folder, "other", of(("u1 = " + slow + "\n").c_str(), ("u2 = " + fast + "\n").c_str()));
+      solved(folder, "other", of(("u1 = " + slow + "\n").c_str(), ("u2 = " + fast + "\n").c_str()));
   const std::pair<std::string, std::string> pairs[] = {{"mu", "mu"}, {"slide_roll_ratio", "slide_roll_ratio"}};
   for (const auto& [name, same] : pairs) BOOST_TEST(distance(column(one, name), column(other, same), -1.0) < 1e-12);
   BOOST_TEST(distance(column(one, "mu_rolling"), column(other, "mu_rolling")) < 1e-12);
@@ -125,18 +111,13 @@ BOOST_AUTO_TEST_CASE(threads_and_resume_keep_the_columns) {
   const std::string deck = "[contact]\nM = 50\nL = 10\n" + oil + small + "[grid]\ncells = 128\n" + sliding(0.5) + rubs +
                            "[surface1]\nshape = bump\nheight = 0.05\nwidth = 0.5\nx = -1.5\n"
                            "[transient]\nend_time = 0.4\noutput_interval = 0.1\n";
-  run(folder, "one", deck, "--threads 1");
-  run(folder, "two", deck, "--threads 2");
+  solved(folder, "one", deck, "--threads 1");
+  solved(folder, "two", deck, "--threads 2");
   for (const std::string what : {"/transient/mu", "/transient/mu_1", "/transient/force_2", "/transient/friction_power"})
     BOOST_TEST((support::rows_of(support::ehl(folder, "extract one.h5 " + what).out) ==
                 support::rows_of(support::ehl(folder, "extract two.h5 " + what).out)));
-  for (double wait = 0.6; wait < 60.0; wait *= 1.4) {
-    std::ostringstream words;
-    words << "'" << EHL_PROGRAM << "' run one.ini --output half.h5 --quiet --overwrite & p=$!; sleep " << wait
-          << "; kill -INT $p 2>/dev/null; wait $p";
-    const support::Ended ended = support::shell(folder, words.str());
-    if (ended.status == 130 && !ended.says({"before the first step"})) break;
-  }
+  BOOST_TEST_REQUIRE(
+      support::stopped_where(folder, "run one.ini --output half.h5 --quiet", support::between_two_steps).status == 130);
   const support::Ended resumed = support::ehl(folder, "resume half.h5 --quiet");
   BOOST_TEST_REQUIRE(resumed.status == 0, resumed.err);
   const results::ResultFile whole(folder / "one.h5"), half(folder / "half.h5");
@@ -177,7 +158,7 @@ Balance balance(const support::TemporaryFolder& folder, int cells, double srr, c
        << sliding(srr)
        << "[friction]\ncavitated = full\n[transient]\nend_time = 1\noutput_interval = 0.01\nrtol = 1e-5\n"
        << more;
-  const results::ResultFile file = run(folder, "balance", deck.str());
+  const results::ResultFile file = solved(folder, "balance", deck.str());
   const double lambda = file.numbers("/scales/lambda").values[0], alpha = file.numbers("/scales/alpha_bar").values[0];
   constexpr double slope = 0.01, W = 2.0 * 3.14159265358979 / 3.0;
   const std::vector<double> x = file.numbers("/grid/x").values, y = file.numbers("/grid/y").values;

@@ -6,11 +6,16 @@
 
 #include "support/columns.hpp"
 #include "support/program.hpp"
+#include "support/stopped.hpp"
 #include "support/text.hpp"
 
 namespace {
 
+using support::before_the_first_step;
+using support::between_two_steps;
 using support::rows_of;
+using support::stopped;
+using support::stopped_where;
 
 const std::string swinging =
     "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
@@ -28,44 +33,6 @@ double Hc_at(const std::vector<std::vector<double>>& rows, double T) {
   const auto& a = after[-1];
   const auto& b = after[0];
   return a[1] + (b[1] - a[1]) * (T - a[0]) / (b[0] - a[0]);
-}
-
-// Starts the program and sends the signal after this number of seconds.
-support::Ended stopped(const support::TemporaryFolder& folder, const std::string& words, const std::string& signal,
-                       double seconds) {
-  std::ostringstream line;
-  line << "'" << EHL_PROGRAM << "' " << words << " & p=$!; sleep " << seconds << "; kill -" << signal
-       << " $p 2>/dev/null; wait $p";
-  return support::shell(folder, line.str());
-}
-
-enum class Came { too_soon, in_time, too_late };
-
-Came before_the_first_step(const support::Ended& ended) {
-  if (ended.says({"before the first step"})) return Came::in_time;
-  return ended.says({"nothing was written"}) ? Came::too_soon : Came::too_late;
-}
-
-Came between_two_steps(const support::Ended& ended) {
-  if (ended.says({"before the first step"}) || ended.says({"nothing was written"})) return Came::too_soon;
-  return ended.status == 130 ? Came::in_time : Came::too_late;
-}
-
-// Stops the program at the wanted stage. On a busy machine its speed varies, so the signal is sent later if it came too
-// early, and earlier if it came too late.
-support::Ended stopped_where(const support::TemporaryFolder& folder, const std::string& words,
-                             Came (*judged)(const support::Ended& ended)) {
-  constexpr int most_tries = 60;
-  constexpr double later = 1.5, earlier = 0.8;
-  support::Ended ended;
-  double seconds = 0.3;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    ended = stopped(folder, words + " --overwrite", "INT", seconds);
-    const Came came = judged(ended);
-    if (came == Came::in_time) break;
-    seconds *= came == Came::too_soon ? later : earlier;
-  }
-  return ended;
 }
 
 // A run that is stopped and continued twice has the film of an uninterrupted run, within the

@@ -3,11 +3,14 @@
 #include <cmath>
 #include <sstream>
 
-#include "results/read.hpp"
 #include "support/program.hpp"
 #include "support/refused.hpp"
+#include "support/solved.hpp"
+#include "support/stopped.hpp"
 
 using namespace ehl;
+using support::distance;
+using support::solved;
 
 namespace {
 
@@ -19,22 +22,7 @@ const std::string line = "[contact]\nkind = line\nM = 20\nL = 5\n" + oil + "[gri
 const std::string rubs = "[friction]\ncavitated = striated\nlimit = 0.08\n";
 const std::string stresses = "[subsurface]\ndepth = 1.5\nplanes = 13\ncells = 32\n";
 
-results::ResultFile run(const support::TemporaryFolder& folder, const std::string& name, const std::string& deck,
-                        const std::string& more = "") {
-  folder.write(name + ".ini", deck);
-  const support::Ended ended = support::ehl(folder, "run " + name + ".ini --overwrite --quiet " + more);
-  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
-  return results::ResultFile(folder / (name + ".h5"));
-}
-
 double number(const results::ResultFile& file, const std::string& name) { return file.numbers(name).values.at(0); }
-
-double distance(const std::vector<double>& one, const std::vector<double>& other) {
-  BOOST_TEST_REQUIRE(one.size() == other.size());
-  double most = 0.0;
-  for (std::size_t k = 0; k < one.size(); ++k) most = std::max(most, std::abs(one[k] - other[k]));
-  return most;
-}
 
 }  // namespace
 
@@ -44,7 +32,7 @@ BOOST_AUTO_TEST_CASE(a_steady_run_keeps_the_steady_stresses) {
   const support::TemporaryFolder folder;
   const std::string time = "[motion]\nsrr = 0.4\n[transient]\nend_time = 3\noutput_interval = 0.1\n";
   for (const std::string& contact : {point, line}) {
-    const results::ResultFile file = run(folder, "steady", contact + rubs + stresses + time);
+    const results::ResultFile file = solved(folder, "steady", contact + rubs + stresses + time);
     for (const std::string name : {"largest_sigma_mises", "largest_sigma_mises_x", "largest_sigma_mises_z",
                                    "largest_tau_max", "largest_tau_max_z"}) {
       const double steady = number(file, "/subsurface/" + name);
@@ -75,8 +63,8 @@ BOOST_AUTO_TEST_CASE(exchanged_bodies_exchange_their_histories) {
     return line + rubs + stresses + "[transient]\nend_time = 2\noutput_interval = 0.1\nu1 = " + u1 + "\nu2 = " + u2 +
            "\n[" + surface + "]\nshape = ridge\nheight = 0.02\nwidth = 0.8\nx = -1.5\n";
   };
-  const results::ResultFile one = run(folder, "one", deck("0:1.3 1:1.2", "0:0.7 1:0.9", "surface1"));
-  const results::ResultFile other = run(folder, "other", deck("0:0.7 1:0.9", "0:1.3 1:1.2", "surface2"));
+  const results::ResultFile one = solved(folder, "one", deck("0:1.3 1:1.2", "0:0.7 1:0.9", "surface1"));
+  const results::ResultFile other = solved(folder, "other", deck("0:0.7 1:0.9", "0:1.3 1:1.2", "surface2"));
   const support::Ended drawn = support::ehl(folder, "plot one.h5 --format svg --figure material_history");
   BOOST_TEST(drawn.status == 0, drawn.err);
   for (const std::string name : {"most_sigma_mises", "most_tau_max", "range_tau_xz"}) {
@@ -94,18 +82,13 @@ BOOST_AUTO_TEST_CASE(threads_and_resume_keep_the_stresses) {
   const std::string deck =
       point + rubs + stresses +
       "[motion]\nsrr = 0.4\n[transient]\nend_time = 1\noutput_interval = 0.1\nload_wave = 0.2 0.7\n";
-  const results::ResultFile one = run(folder, "one", deck, "--threads 1");
-  const results::ResultFile two = run(folder, "two", deck, "--threads 2");
+  const results::ResultFile one = solved(folder, "one", deck, "--threads 1");
+  const results::ResultFile two = solved(folder, "two", deck, "--threads 2");
   for (const std::string name : {"/stresses_in_time/largest_tau_max", "/history_1/section_most_tau_max",
                                  "/history_2/section_range_tau_xz", "/history_2/most_sigma_mises_x"})
     BOOST_TEST((one.numbers(name).values == two.numbers(name).values));
-  for (double wait = 0.4; wait < 60.0; wait *= 1.3) {
-    std::ostringstream words;
-    words << "'" << EHL_PROGRAM << "' run one.ini --output half.h5 --quiet --overwrite & p=$!; sleep " << wait
-          << "; kill -INT $p 2>/dev/null; wait $p";
-    const support::Ended ended = support::shell(folder, words.str());
-    if (ended.status == 130 && ended.says({"resume"})) break;
-  }
+  BOOST_TEST_REQUIRE(
+      support::stopped_where(folder, "run one.ini --output half.h5 --quiet", support::between_two_steps).status == 130);
   const support::Ended resumed = support::ehl(folder, "resume half.h5 --quiet");
   BOOST_TEST_REQUIRE(resumed.status == 0, resumed.err);
   const results::ResultFile half(folder / "half.h5");
