@@ -53,8 +53,11 @@ class Fluidity {
     for (std::vector<double>* list : {&P_, &H_, &at_rest_, &along_, &across_})
       list->resize(static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(columns_));
   }
-  double operator()(int i, int j) {
-    if (i % columns_ == 0 && j == 0) evaluate(i);
+  /// Called for the columns in order, each before its values are asked for.
+  void go_to_column(int i) {
+    if (i % columns_ == 0) evaluate(i);
+  }
+  double operator()(int i, int j) const {
     const int k = (i % columns_) * nodes_ + j;
     return (film_.thinning ? across_ : at_rest_)[static_cast<std::size_t>(k)];
   }
@@ -110,6 +113,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
   std::vector<double> film_at_end(nodes, 0.0);
   double load_inside = 0.0, limited_load = 0.0, unlikely_load = 0.0;
   for (int i = 0; i <= grid.nx; ++i) {
+    fluidity.go_to_column(i);
     for (int j = 0; j <= grid.ny; ++j) {
       const double P = film.P(i, j), H = film.H(i, j), w = weight(grid, i, j);
       const bool wet = P > 0.0;
@@ -118,8 +122,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       const double oil = share_of_oil(film, meniscus, grid.X(i), grid.Y(j));
       const bool only_layers = film.starved && end == 0.0 && parameters.cavitated != Cavitated::full;
       const double share = wet ? 1.0 : only_layers ? 0.0 : filled(parameters.cavitated, H, end);
-      const double at_node = fluidity(i, j);
-      double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * at_node) : 0.0;
+      double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * fluidity(i, j)) : 0.0;
       if (wet && film.less_tau) tau *= (*film.less_tau)(i, j);
       if (wet) {
         load_inside += w * P;
