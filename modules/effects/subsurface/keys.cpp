@@ -25,8 +25,7 @@ deck::Records<Parameters> records() {
       key("depth", &Parameters::depth, Range{0.01, 1000.0}, example("2"),
           "Depth below the contact down to which the stresses are computed, in Hertz radii. Without this key there "
           "are no stresses. With [transient] they are computed at the stored times, and for the material of both "
-          "bodies "
-          "what it meets during the over-rolling.",
+          "bodies what it meets during the over-rolling.",
           remedy("in Hertz radii, e.g. 2")),
       key("planes", &Parameters::planes, Range{3, 1000}, own_default,
           "Number n of planes of constant depth, including the surface and the deepest plane. Plane k = 0..n-1 lies "

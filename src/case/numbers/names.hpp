@@ -27,12 +27,13 @@ inline constexpr char
     heat_1[] = "heat_1", heat_imbalance[] = "heat_imbalance", supply_ratio[] = "supply_ratio", starvation_factor[] = "starvation_factor",
     meniscus_x[] = "meniscus_x", oil_in[] = "oil_in", oil_aside[] = "oil_aside", mass_imbalance[] = "mass_imbalance",
     completed[] = "completed", ended[] = "ended", speed[] = "speed",
-    // columns of the table of steps, by their paths
+    // friction, also in time
     mu_rolling[] = "mu_rolling", mu_1[] = "mu_1", mu_2[] = "mu_2", mu_cavitated[] = "mu_cavitated",
     mu_beyond[] = "mu_beyond", mu_rolling_beyond[] = "mu_rolling_beyond", mu_side[] = "mu_side",
     largest_shear_stress[] = "largest_shear_stress", limited_share[] = "limited_share",
     slide_roll_ratio[] = "slide_roll_ratio", unlikely_share[] = "unlikely_share", force_1[] = "force_1",
     force_2[] = "force_2", force_side[] = "force_side", friction_power[] = "friction_power",
+    // columns of the table of steps, by their paths
     step_time[] = "/transient/time", step_load[] = "/transient/load", step_speed[] = "/transient/speed";
 // clang-format on
 
