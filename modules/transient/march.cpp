@@ -201,7 +201,7 @@ class March {
     StepRow row = row_of(hierarchy_, dae_, conditions_, step);
     row.H00 += row.carried * of_unit_;
     row.probed = probed_at(hierarchy_.finest().grid, hierarchy_.finest().P, hierarchy_.finest().H, parameters_.probes);
-    if (observer_.measure) row.measured = observer_.measure(state_at(step.T));
+    if (observer_.measure) row.measured = observer_.measure(snapshot(step.T));
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
     report_.worst_oil_error = std::max(report_.worst_oil_error, row.oil.from_nowhere);
     at_rest_ = rest_.reached(row);
@@ -229,10 +229,10 @@ class March {
     if (!observer_.frame) return;
     const multigrid::Level& level = hierarchy_.finest();
     observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta(),
-                     observer_.measure_fields ? observer_.measure_fields(state_at(T)) : std::vector<core::Field>{}});
+                     observer_.measure_fields ? observer_.measure_fields(snapshot(T)) : std::vector<core::Field>{}});
   }
 
-  State state_at(double T) const { return state_of(hierarchy_, dae_, conditions_, T); }
+  Snapshot snapshot(double T) const { return snapshot_of(hierarchy_, dae_, conditions_, T); }
 
   bool fail(const std::string& reason) {
     report_.reason = reason;

@@ -57,7 +57,7 @@ struct Frame {
 };
 
 /// The solved contact at one time, on the computed patch. It refers to the running integration.
-struct State {
+struct Snapshot {
   double T = 0.0;
   const core::Patch& grid;
   const core::Field& P;
@@ -82,8 +82,8 @@ struct Checkpoint {
 struct Observer {
   std::function<bool(const StepRow& row)> row{};
   std::function<void(Frame&& frame)> frame{};
-  std::function<std::vector<double>(const State& state)> measure{};              ///< numbers for every row
-  std::function<std::vector<core::Field>(const State& state)> measure_fields{};  ///< fields for every frame
+  std::function<std::vector<double>(const Snapshot& at)> measure{};              ///< numbers for every row
+  std::function<std::vector<core::Field>(const Snapshot& at)> measure_fields{};  ///< fields for every frame
   std::function<bool()> wants_checkpoint{};                                      ///< called after every step
   std::function<void(Checkpoint&& checkpoint)> checkpoint{};  ///< called when wanted, and when `row` returned false
 };

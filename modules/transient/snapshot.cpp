@@ -34,7 +34,8 @@ StepRow row_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, con
           .oil = dae.oil()};
 }
 
-State state_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions, double T) {
+Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions,
+                     double T) {
   const multigrid::Level& level = hierarchy.levels.back();
   const std::optional<reynolds::FarField>& far_field = hierarchy.problem.far_field;
   return {.T = T,

@@ -13,6 +13,7 @@ StepRow row_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, con
                const StepReport& step);
 
 /// The state at T, which the hierarchy holds.
-State state_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions, double T);
+Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions,
+                     double T);
 
 }  // namespace ehl::transient

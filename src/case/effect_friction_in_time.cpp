@@ -17,14 +17,14 @@ namespace ehl::program {
 namespace {
 
 // A number over the time of a run; values that are not known are left out, and all are NaN if there is none.
-struct Course {
+struct Extremes {
   double least = core::unknown, largest = core::unknown;
   double mean = core::unknown;  ///< over time, by the trapezoidal rule
 };
 
-Course course(const Case& input, const char* name, const TransientResult& run) {
-  const std::vector<double> values = course_of(input, name, run);
-  Course made;
+Extremes extremes_of(const char* name, const TransientResult& run) {
+  const std::vector<double> values = column_of(run, name);
+  Extremes made;
   double sum = 0.0, time = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     made.least = std::fmin(made.least, values[k]);
@@ -38,8 +38,19 @@ Course course(const Case& input, const char* name, const TransientResult& run) {
   return made;
 }
 
-/// The columns whose course the reports show.
-constexpr const char* shown[] = {id::mu, id::mu_rolling, id::friction_power};
+numbers::Unit of_power() { return {"F_0 u_m", "F_0' u_m"}; }
+
+/// A column whose extremes and mean the reports show.
+struct Summarized {
+  const char* name;
+  const char* words;
+  numbers::Unit unit;
+};
+const std::vector<Summarized>& summarized() {
+  static const std::vector<Summarized> columns{
+      {id::mu, "mu sliding", "-"}, {id::mu_rolling, "rolling", "-"}, {id::friction_power, "power", of_power()}};
+  return columns;
+}
 
 }  // namespace
 
@@ -52,7 +63,7 @@ Group friction_step_numbers() {
                    number(id::force_1, {"F_0", "F_0'"}, "force of the film on surface 1 along +x"),
                    number(id::force_2, {"F_0", "F_0'"}, "force of the film on surface 2 along +x"),
                    number(id::force_side, "F_0", "force of the film on each surface along +y"),
-                   number(id::friction_power, {"F_0 u_m", "F_0' u_m"},
+                   number(id::friction_power, of_power(),
                           "power of the moving surfaces against the tractions, -(force_1 u1 + force_2 u2)",
                           label("friction power"))};
   return group;
@@ -62,16 +73,16 @@ Group friction_step_numbers() {
 Group friction_course() {
   Group group{.name = "course of friction"};
   group.on = [](Of s) { return s.computed.in_time.has_value(); };
-  for (const char* of : shown) {
-    const Unit unit = of == id::friction_power ? Unit{"F_0 u_m", "F_0' u_m"} : Unit{"-"};
-    const auto add = [&](const char* what, double Course::*part) {
-      group.numbers.push_back(number(std::string(what) + "_" + of, unit, std::string(what) + " of the run in time",
-                                     json(std::string("in_time/") + of + "/" + what), not_in_file,
-                                     [of, part](Of s) { return course(s.input, of, *s.computed.in_time).*part; }));
+  for (const Summarized& one : summarized()) {
+    const std::string name = one.name;
+    const auto add = [&](const std::string& what, double Extremes::*part) {
+      group.numbers.push_back(number(what + "_" + name, one.unit, what + " of the run in time",
+                                     json("in_time/" + name + "/" + what), not_in_file,
+                                     [&one, part](Of s) { return extremes_of(one.name, *s.computed.in_time).*part; }));
     };
-    add("least", &Course::least);
-    add("largest", &Course::largest);
-    add("mean", &Course::mean);
+    add("least", &Extremes::least);
+    add("largest", &Extremes::largest);
+    add("mean", &Extremes::mean);
   }
   return group;
 }
@@ -85,7 +96,7 @@ using friction::Friction;
 
 /// What lies around the domain, made at the first step.
 struct Around {
-  const friction::Surroundings& of(const Case& input, const transient::State& state) {
+  const friction::Surroundings& of(const Case& input, const transient::Snapshot& state) {
     if (!made) made.emplace(input.scene, state.far_field, state.grid.domain, input.friction->meniscus);
     return *made;
   }
@@ -93,7 +104,7 @@ struct Around {
 };
 
 // The friction of a state; forces over the load of the contact. in: fields: keeps the tractions that the deck asks for.
-Friction friction_at(const Case& input, const transient::State& state, Around& around, bool fields) {
+Friction friction_at(const Case& input, const transient::Snapshot& state, Around& around, bool fields) {
   friction::Parameters parameters = *input.friction;
   parameters.stress = stress_of_speed(input.physics) * (state.u1 - state.u2);
   parameters.thinning_k = input.transient->conditions.thinning_k * std::abs(state.u1 - state.u2);
@@ -107,12 +118,12 @@ Friction friction_at(const Case& input, const transient::State& state, Around& a
 // A column of the steps. in: the friction in units of the load of the contact, and the state.
 struct StepNumber {
   std::string name{};
-  double (*value)(const Friction& friction, const transient::State& state) = nullptr;
+  double (*value)(const Friction& friction, const transient::Snapshot& state) = nullptr;
 };
 
 // A part of the friction over the load that the film carries; NaN if it carries none.
 template <double Friction::*part>
-double coefficient(const Friction& friction, const transient::State& state) {
+double coefficient(const Friction& friction, const transient::Snapshot& state) {
   return state.carried > 0.0 ? friction.*part / state.carried : core::unknown;
 }
 
@@ -132,16 +143,16 @@ std::vector<StepNumber> step_numbers(const Case& input) {
   }
   if (is_oblique(input)) list.push_back({id::mu_side, coefficient<&Friction::side>});
   list.push_back(
-      {id::largest_shear_stress, [](const Friction& f, const transient::State&) { return f.largest_stress; }});
+      {id::largest_shear_stress, [](const Friction& f, const transient::Snapshot&) { return f.largest_stress; }});
   list.push_back({id::limited_share, coefficient<&Friction::limited_share>});
   list.push_back({id::unlikely_share, coefficient<&Friction::unlikely_share>});
-  list.push_back({id::slide_roll_ratio, [](const Friction&, const transient::State& at) { return at.u1 - at.u2; }});
-  list.push_back({id::force_1, [](const Friction& f, const transient::State&) { return f.on_1; }});
-  list.push_back({id::force_2, [](const Friction& f, const transient::State&) { return f.on_2; }});
+  list.push_back({id::slide_roll_ratio, [](const Friction&, const transient::Snapshot& at) { return at.u1 - at.u2; }});
+  list.push_back({id::force_1, [](const Friction& f, const transient::Snapshot&) { return f.on_1; }});
+  list.push_back({id::force_2, [](const Friction& f, const transient::Snapshot&) { return f.on_2; }});
   if (is_oblique(input))
-    list.push_back({id::force_side, [](const Friction& f, const transient::State&) { return f.side; }});
+    list.push_back({id::force_side, [](const Friction& f, const transient::Snapshot&) { return f.side; }});
   list.push_back({id::friction_power,
-                  [](const Friction& f, const transient::State& at) { return -(f.on_1 * at.u1 + f.on_2 * at.u2); }});
+                  [](const Friction& f, const transient::Snapshot& at) { return -(f.on_1 * at.u1 + f.on_2 * at.u2); }});
   return list;
 }
 
@@ -157,7 +168,7 @@ InSteps friction_in_steps(const Case& input) {
   const std::vector<StepNumber> list = step_numbers(input);
   for (const StepNumber& one : list) made.numbers.push_back(one.name);
   const auto around = std::make_shared<Around>();
-  made.measure = [&input, list, around](const transient::State& state) {
+  made.measure = [&input, list, around](const transient::Snapshot& state) {
     const Friction found = friction_at(input, state, *around, false);
     std::vector<double> values;
     for (const StepNumber& one : list) values.push_back(one.value(found, state));
@@ -167,7 +178,7 @@ InSteps friction_in_steps(const Case& input) {
   if (keep1) made.fields.push_back(traction("1"));
   if (keep2) made.fields.push_back(traction("2"));
   if (keep1 || keep2)
-    made.measure_fields = [&input, keep1, keep2, around](const transient::State& state) {
+    made.measure_fields = [&input, keep1, keep2, around](const transient::Snapshot& state) {
       Friction found = friction_at(input, state, *around, true);
       std::vector<core::Field> fields;
       if (keep1) fields.push_back(std::move(found.tau1));
@@ -181,33 +192,16 @@ std::vector<numbers::Group> friction_step_numbers() {
   return {numbers::friction_step_numbers(), numbers::friction_course()};
 }
 
-void settle_sliding_at_start(Case& input) {
-  if (!input.transient) return;
-  const transient::Conditions& conditions = input.transient->conditions;
-  const double at_start = value(conditions.u1, 0.0) - value(conditions.u2, 0.0);
-  constexpr double rounding = 1e-9;
-  if (std::abs(at_start - input.physics.srr) <= rounding) return;
-  const deck::Part motion{input.deck, "motion"};
-  if (input.physics.si || motion.given("srr"))
-    deck::complain(input.deck, "transient", deck::given(input.deck, "transient", "u1") ? "u1" : "u2",
-                   fmt::format("gives u1 - u2 = {:.6g} u_m at time 0, but [motion] gives {:.6g} u_m, and the run "
-                               "starts from that steady contact: let both agree",
-                               at_start, input.physics.srr));
-  motion.follow("srr", at_start, "u1 - u2 of [transient] at time 0");
-  input.physics.srr = at_start;
-}
-
 std::string friction_in_time_summary(const Case& input, const Computed& computed) {
   if (!computed.in_time) return {};
   const std::optional<SiScales> si = si_scales(input.physics);
   std::string text;
-  for (const char* name : shown) {
-    const Course of = course(input, name, *computed.in_time);
-    const std::string& own = numbers::number_of(name).unit.of(input.scene.grid.line);
+  for (const Summarized& one : summarized()) {
+    const Extremes of = extremes_of(one.name, *computed.in_time);
+    const std::string& own = numbers::unit_of(one.name, input);
     const SiUnit unit = si ? si_unit(own, *si) : SiUnit{own, 1.0};
-    const char* words = name == id::mu ? "mu sliding" : name == id::mu_rolling ? "rolling" : "power";
     text += fmt::format("{}{} {} to {}, mean over time {}{}\n",
-                        text.empty() ? "             in time: " : "                      ", words,
+                        text.empty() ? "             in time: " : "                      ", one.words,
                         known("{:.5g}", of.least * unit.factor), known("{:.5g}", of.largest * unit.factor),
                         known("{:.5g}", of.mean * unit.factor), unit.name == "-" ? "" : " " + unit.name);
   }
@@ -215,7 +209,7 @@ std::string friction_in_time_summary(const Case& input, const Computed& computed
 }
 
 core::Warnings friction_in_time_warnings(const Case& input, const TransientResult& result) {
-  const std::vector<double> shares = course_of(input, id::unlikely_share, result);
+  const std::vector<double> shares = column_of(result, id::unlikely_share);
   Friction worst{.parameters = *input.friction};
   for (const double share : shares) worst.unlikely_share = std::fmax(worst.unlikely_share, share);
   return friction::warnings(worst);

@@ -7,7 +7,6 @@
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
-#include "case/friction_in_time.hpp"
 #include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
 #include "rheology/shear_keys.hpp"

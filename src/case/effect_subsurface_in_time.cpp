@@ -121,7 +121,7 @@ void compute_stress_course(const Case& input, RunSettings& settings, Computed& c
   const double began = core::now();
   const TransientResult& run = *computed.in_time;
   if (run.frames.empty()) return;
-  const std::vector<double> mu_1 = course_of(input, id::mu_1, run), mu_2 = course_of(input, id::mu_2, run);
+  const std::vector<double> mu_1 = column_of(run, id::mu_1), mu_2 = column_of(run, id::mu_2);
   const std::vector<double> moved[2] = {displacements(input.transient->conditions.u1, run.frames),
                                         displacements(input.transient->conditions.u2, run.frames)};
   subsurface::Parameters parameters = *input.subsurface;

@@ -54,9 +54,9 @@ struct KeyName {
 /// What an effect adds to a run in time. The rows and frames hold it in the order of the effects.
 struct InSteps {
   std::vector<std::string> numbers{};  ///< columns of /transient, by their names in the registry
-  std::function<std::vector<double>(const transient::State& state)> measure{};  ///< NaN: not known at this time
-  std::vector<results::NamedField> fields{};                                    ///< of the frames; without values
-  std::function<std::vector<core::Field>(const transient::State& state)> measure_fields{};
+  std::function<std::vector<double>(const transient::Snapshot& state)> measure{};  ///< NaN: not known at this time
+  std::vector<results::NamedField> fields{};                                       ///< of the frames; without values
+  std::function<std::vector<core::Field>(const transient::Snapshot& state)> measure_fields{};
 };
 
 /// Solves the film of a case into computed.solution.
@@ -126,7 +126,7 @@ void read_effects(Case& input);
 /// case must outlive the result.
 InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds = nullptr);
 /// The values of a column that an effect adds, one for each row; empty: the run has no such column.
-std::vector<double> course_of(const Case& input, const std::string& number, const TransientResult& result);
+std::vector<double> column_of(const TransientResult& result, const std::string& number);
 
 /// The cost of a run in time, of which moving surfaces are a share.
 Needs expense_in_time(const Case& input);

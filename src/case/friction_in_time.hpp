@@ -12,10 +12,6 @@ InSteps friction_in_steps(const Case& input);
 /// The columns of /transient that a steady contact has no number for.
 std::vector<numbers::Group> friction_step_numbers();
 
-/// In time the sliding of the steady start is that of the schedules at time 0: sets it, or reports a deck that says
-/// something else.
-void settle_sliding_at_start(Case& input);
-
 /// The lines of the report about the course of the friction; empty without a run in time.
 std::string friction_in_time_summary(const Case& input, const Computed& computed);
 

@@ -12,7 +12,7 @@ namespace {
 template <class Measure>
 void append(const Measure& own, double* seconds, Measure& all) {
   if (!own) return;
-  all = [before = all, own, seconds](const transient::State& state) {
+  all = [before = all, own, seconds](const transient::Snapshot& state) {
     auto list = before ? before(state) : decltype(own(state)){};
     const double began = core::now();
     for (auto& one : own(state)) list.push_back(std::move(one));
@@ -37,13 +37,12 @@ InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds) {
   return all;
 }
 
-std::vector<double> course_of(const Case& input, const std::string& number, const TransientResult& result) {
-  const std::vector<std::string> names = in_steps_of(input).numbers;
-  const auto found = std::ranges::find(names, number);
+std::vector<double> column_of(const TransientResult& result, const std::string& number) {
+  const auto found = std::ranges::find(result.measured, number);
   std::vector<double> values;
-  if (found == names.end()) return values;
+  if (found == result.measured.end()) return values;
   for (const transient::StepRow& row : result.rows)
-    values.push_back(row.measured.at(static_cast<std::size_t>(found - names.begin())));
+    values.push_back(row.measured.at(static_cast<std::size_t>(found - result.measured.begin())));
   return values;
 }
 

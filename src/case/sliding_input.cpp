@@ -89,6 +89,22 @@ void set_sliding(const contact::Input& input, Physics& physics) {
                          : input.a_over_R;
 }
 
+void settle_sliding_at_start(Case& input) {
+  if (!input.transient) return;
+  const transient::Conditions& conditions = input.transient->conditions;
+  const double at_start = value(conditions.u1, 0.0) - value(conditions.u2, 0.0);
+  constexpr double rounding = 1e-9;
+  if (std::abs(at_start - input.physics.srr) <= rounding) return;
+  const deck::Part motion{input.deck, "motion"};
+  if (input.physics.si || motion.given("srr"))
+    deck::complain(input.deck, "transient", deck::given(input.deck, "transient", "u1") ? "u1" : "u2",
+                   fmt::format("gives u1 - u2 = {:.6g} u_m at time 0, but [motion] gives {:.6g} u_m, and the run "
+                               "starts from that steady contact: let both agree",
+                               at_start, input.physics.srr));
+  motion.follow("srr", at_start, "u1 - u2 of [transient] at time 0");
+  input.physics.srr = at_start;
+}
+
 std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) {
   if (!given(deck, "shear", "law") || !possible(deck, physics, "shear", "law")) return std::nullopt;
   const rheology::Shear shear = rheology::read_shear(deck);

@@ -3,7 +3,7 @@
 // the units of the contact.
 #include <optional>
 
-#include "case/physical_input.hpp"
+#include "case/scene.hpp"
 #include "deck/deck.hpp"
 #include "effects/friction/friction.hpp"
 #include "rheology/flow_thinning.hpp"
@@ -14,6 +14,10 @@ namespace ehl::program {
 
 /// Sets physics.srr and physics.a_over_R from the other members.
 void set_sliding(const contact::Input& input, Physics& physics);
+
+/// In time the sliding of the steady start is that of the schedules at time 0: sets it, or reports a deck that says
+/// something else.
+void settle_sliding_at_start(Case& input);
 
 /// eta_0 u_m R/(a^2 p_h) = lambda (a/R)/12.
 double stress_of_speed(const Physics& physics);

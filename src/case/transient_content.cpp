@@ -211,8 +211,8 @@ void require_checkpoint(const results::ResultFile& file) {
 TransientResult read_transient(const results::ResultFile& file, const Case& input) {
   using Kind = results::ResultFile::Kind;
   const InSteps added = in_steps_of(input);
-  TransientResult result;
-  result.rows = read_rows(file, added.numbers);
+  TransientResult result{.measured = added.numbers};
+  result.rows = read_rows(file, result.measured);
   const auto number = [&](const char* name) {
     const std::vector<double> values = credible(file, std::string("/checkpoint/") + name);
     if (values.size() != 1) damaged(file.path(), name);

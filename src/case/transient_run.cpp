@@ -137,6 +137,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
   double saved = core::now();
   const InSteps added = in_steps_of(input, &result.seconds);
+  result.measured = added.numbers;
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
