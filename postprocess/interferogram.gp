@@ -18,9 +18,13 @@ if (number("/summary/Hm") < 0) { note = note.", red: below zero" }
 # Two beams, reflected at the coated glass and at the steel, with a path difference of 2 n h, n = 1.5. The contrast
 # decreases with the film because of the limited coherence of the lamp. Thin films are dark.
 visibility(h) = laser ? 1 : exp(-(h / 900.0)**2)
-# A negative film gets no fringes: they would show it as a positive one.
-shade(h, wavelength) = h < 0 ? (wavelength < 630 ? 30 : 178) : laser && wavelength < 630 ? 0 : \
+shade(h, wavelength) = laser && wavelength < 630 ? 0 : \
     int(127.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wavelength)))
+colour(h) = sprintf("'#%02x%02x%02x'", shade(h, 630.0), shade(h, 540.0), shade(h, 460.0))
+
+load maps("H", 700)
+most = 2700.0  # nm, from where on a lamp shows no fringes
+if (laser) { stats $map_H matrix nonuniform using 3 nooutput; most = film_nm * STATS_max }
 
 high = high + m(5)
 eval page
@@ -46,7 +50,13 @@ if (starved) {
   set surface
 }
 if (!starved) { set print $edge_of_oil; print "NaN NaN NaN"; set print }
-load maps("H", 700)
-plot $map_H matrix nonuniform using 1:2:(shade(film_nm * $3, 630.0)):(shade(film_nm * $3, 540.0)): \
-    (shade(film_nm * $3, 460.0)) with rgbimage notitle, \
+# The palette of the film. A negative film gets no fringes: they would show it as a positive one.
+colours = 2000
+step = most / colours
+palette_of_film = "-1 '#b21e1e', 0 '#b21e1e'"
+do for [k = 0:colours] { palette_of_film = palette_of_film.sprintf(", %d %s", k, colour(k * step)) }
+eval "set palette defined (".palette_of_film.")"
+unset colorbox
+set cbrange [-step / film_nm:most / film_nm]
+plot $map_H matrix nonuniform using 1:2:3 with image notitle, \
     $edge_of_oil using 1:2 with lines lw 0.8 lc rgb "white" notitle
