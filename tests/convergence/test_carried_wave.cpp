@@ -46,6 +46,7 @@ struct Kept {
 Kept kept(Wedge wedge, int cells_per_wave) {
   steady::Scene scene = marching_scene(cells, 100.0);
   scene.wedge = wedge;
+  scene.grid = {cells, 3 * cells / 4, -2.5, 1.5, -1.5, 1.5};
   const core::Grid& grid = scene.grid;
   const double wave = cells_per_wave * grid.hx();
   const double height = 0.005;

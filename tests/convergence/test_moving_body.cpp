@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(damping_takes_its_share) {
 // only its film slows down obeys mass V dV/dH = -(3/4) lambda V/H, so V = V_0 + (3/4)(lambda/mass) ln(H_0/H). The share
 // 1/(1 + X^2/(2 H00)) of the force lies outside the domain, and P = 0 on its boundary removes about as much again.
 BOOST_AUTO_TEST_CASE(a_rigid_paraboloid_is_squeezed_by_the_exact_law) {
-  const steady::Scene scene = plain_scene(512, 40.0, 5000.0);
+  const steady::Scene scene = plain_scene(448, 40.0, 5000.0);
   const Body body{.mass = 0.5 * scene.lambda, .gap = 3.0, .velocity = -3.0};
   const Marched all = released(scene, flying(body), {.end = 0.4, .rtol = 1e-5});
   BOOST_REQUIRE_MESSAGE((all.report.end == MarchEnd::end_time), all.report.reason);

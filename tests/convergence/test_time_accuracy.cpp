@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(the_error_falls_with_the_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(two_cycles_a_step_at_most) {
-  for (const int cells : {128, 256}) {
+  for (const int cells : {96, 192}) {
     const steady::Scene scene = marching_scene(cells);
     const steady::Solution start = steady::solve(scene);
     for (const Conditions& conditions : {ramp, stop, Conditions{.on_1 = bump}}) {

@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(cells_four_times_as_long_as_wide_take_cycles) {
 
 // M = 20 to 5000 in one run: every load is reported, and the result is that of a direct solution.
 BOOST_AUTO_TEST_CASE(load_continuation_is_told_and_ends_where_the_direct_way_does) {
-  const Report report = run_deck("load_continuation", {"grid.cells=512"});
+  const Report report = run_deck("load_continuation", {"grid.cells=256"});
   require_verified(report);
   BOOST_TEST(report.text("method") == "load continuation");
   const std::vector<hard::Step> steps = report.continuation();
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(load_continuation_is_told_and_ends_where_the_direct_way_doe
   BOOST_TEST(steps.front().M == 20.0, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(steps.back().M == 5000.0);
   BOOST_TEST(steps.back().converged);
-  const Report direct = run_deck("M5000_L10", {"grid.cells=512"});
+  const Report direct = run_deck("M5000_L10", {"grid.cells=256"});
   BOOST_TEST(report.cells() == direct.cells());
   BOOST_TEST_MESSAGE(steps.size() << " loads; " << path_with_factor(report));
   for (const std::string film : {"Hc", "Hm"}) {

@@ -58,8 +58,8 @@ void require_sensible(const std::vector<steady::ContinuationStep>& steps, double
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
-  const steady::Solution direct = steady::solve(heaviest(512, Path::off));
-  const steady::Solution by_load = steady::solve(heaviest(512, Path::load));
+  const steady::Solution direct = steady::solve(heaviest(256, Path::off));
+  const steady::Solution by_load = steady::solve(heaviest(256, Path::load));
   BOOST_TEST(direct.converged, direct.failed_check);
   BOOST_TEST(direct.method == "full multigrid");
   BOOST_TEST(direct.continuation.empty());
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
   BOOST_TEST(by_load.continuation.back().converged);
   BOOST_TEST(by_load.continuation.back().M == 5000.0);
   const double apart = hard::difference(direct, by_load);
-  BOOST_TEST_MESSAGE("(20,10) to (5000,10) on 512 cells: apart by " << apart << " (allowed 1e-6) from the direct way; "
+  BOOST_TEST_MESSAGE("(20,10) to (5000,10) on 256 cells: apart by " << apart << " (allowed 1e-6) from the direct way; "
                                                                     << by_load.continuation.size() << " loads");
   BOOST_TEST(apart <= 1e-6);
   BOOST_TEST(apart > 0.0);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
 // Next to a slender contact, the minimum film is a small fraction of the central film. A prediction of H00 from the
 // central film would exceed it, and the continuation would need many more loads.
 BOOST_AUTO_TEST_CASE(the_film_at_the_side_lives_from_load_to_load) {
-  steady::Scene scene = tests::roelands_scene(200, 5, {512, 768, -2.5, 1.5, -0.3125, 0.3125}, contact::ellipse(50));
+  steady::Scene scene = tests::roelands_scene(200, 5, {256, 384, -2.5, 1.5, -0.3125, 0.3125}, contact::ellipse(50));
   scene.wedge = reynolds::Wedge::upstream3;
   scene.face = reynolds::Face::logmean_bounded;
   scene.far_field = true;

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(views_of_their_own_file_are_read) {
 // The program does not continue from a checkpoint that it did not write, and leaves the file unchanged.
 BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   const support::TemporaryFolder folder;
-  const std::string in_time = "[transient]\nend_time = 4\noutput_interval = 0.1\nload = swing.csv\n";
+  const std::string in_time = "[transient]\nend_time = 2\noutput_interval = 0.1\nload = swing.csv\n";
   folder.write("d.ini", small + in_time + "[output]\ncheckpoint = 1e-3\n");
   folder.write("swing.csv", "0, 1\n2, 1.2\n4, 1\n");
   support::shell(folder,

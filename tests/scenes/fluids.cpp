@@ -116,11 +116,17 @@ BOOST_AUTO_TEST_CASE(tables) {
        {"no table", "viscosity = table\n", "", {"[lubricant] table"}},
        {"table without influence", "eta0 = 0.1\nalpha = 1e-8\ntable = t.csv\n", rows, {"d.ini:12", "table = t.csv"}},
        {"another viscosity", oil + "eta0 = 1\n", barus_table(20), {"d.ini:12", "eta0 = 1", "0.0156"}}});
-  // The names and units in the heading count: every form of the table gives the same film.
+  // The names and units in the heading count: every form of the table gives the same film, and one of them that of the
+  // cells that the program chooses.
   const support::TemporaryFolder folder;
   const std::string thin =
       "[contact]\nload = 20\nradius_x = 0.0127\nE_prime = 1.2e11\n[motion]\nu_m = 0.01\n" + ("[lubricant]\n" + both);
   folder.write("u.ini", thin);
+  const auto film_of = [&](const std::string& more) {
+    const std::string run = "run u.ini --json --quiet --overwrite --set lubricant.table=ways.csv";
+    return 1e9 * support::number_at(support::parsed(support::ehl(folder, run + more).out), "/hc_m");
+  };
+  double of_first = std::nan("");
   for (const char* text :
        {"p [Pa],eta [mPa s],rho "
         "[kg/m^3]\n0,40,870\n1e8,250,912\n2e8,1200,941\n4e8,20000,985\n8e8,3e6,1045\n1.2e9,3e8,1090\n",
@@ -129,12 +135,14 @@ BOOST_AUTO_TEST_CASE(tables) {
         "p [MPa];eta [mPa s];rho "
         "[g/cm3]\n0;40;0,870\n100;250;0,912\n200;1200;0,941\n400;20000;0,985\n800;3e6;1,045\n1200;3e8;1,090\n"}) {
     folder.write("ways.csv", text);
-    const auto film = support::parsed(
-        support::ehl(folder, "run u.ini --json --quiet --overwrite --set lubricant.table=ways.csv").out);
-    const double h_c = 1e9 * support::number_at(film, "/hc_m");
-    BOOST_TEST_MESSAGE(text << "h_c = " << h_c << " nm, 12.96 nm wanted");
-    BOOST_TEST(std::abs(h_c - 12.96) < 0.01);
+    const double h_c = film_of(" --set grid.cells=128");
+    if (std::isnan(of_first)) of_first = h_c;
+    BOOST_TEST_MESSAGE(text << "h_c = " << h_c << " nm, of the first form " << of_first << " nm (tolerance 0.01 nm)");
+    BOOST_TEST(std::abs(h_c - of_first) < 0.01);
   }
+  const double h_c = film_of("");
+  BOOST_TEST_MESSAGE("h_c = " << h_c << " nm, 12.96 nm wanted");
+  BOOST_TEST(std::abs(h_c - 12.96) < 0.01);
   folder.write("d.ini", contact + oil);
   BOOST_TEST(support::ehl(folder, "check d.ini").status == 4);  // a file that does not exist
 }

@@ -23,7 +23,7 @@ const std::string swinging =
     "1:1.1\n";
 
 const std::string swinging_line =
-    "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\n[grid]\ncells = 1024\n[transient]\n"
+    "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\n[grid]\ncells = 512\n[transient]\n"
     "rtol = 3e-5\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\n";
 
 // Hc at time T, interpolated linearly between the rows.

@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
   const Scene scene;
   // The steps suffice at 1e-2 but not at 1e-4; the limit does not apply to the reference.
   scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.6\nload = 0.1:1 0.2:1.2\nmax_steps = 130\n");
-  const std::string command = "study t.ini --set grid.cells=64 --repeat 1 --quiet";
+  const std::string command = "study t.ini --set grid.cells=32 --repeat 1 --quiet";
   const support::Ended ended = scene.ehl(command + " --rtol 1e-2,1e-4");
   BOOST_TEST(ended.status == 3, ended.err);
   BOOST_TEST(contains(ended.out, "130"), ended.out);

@@ -230,7 +230,8 @@ BOOST_AUTO_TEST_CASE(to_an_accuracy) {
 BOOST_AUTO_TEST_CASE(a_study_of_films_with_heat) {
   const Scene scene;
   const support::Ended ended = scene.ehl(
-      "study d.ini --levels 32:128 --wedges upstream1,upstream2 --evaluators fft --repeat 1 --output study.csv "
+      "study d.ini --levels 32:128 --wedges upstream1,upstream2 --evaluators fft --repeat 1 --reference 128 --output "
+      "study.csv "
       "--quiet");
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   std::map<std::string, double> error;
