@@ -103,7 +103,8 @@ Needs expense(const Case& input) {
   const core::Grid own = subsurface::stress_grid(grid, *input.subsurface);
   const double nodes = static_cast<double>(own.nodes_x()) * own.nodes_y() * input.subsurface->planes;
   const double longer = 1.0 + march.end / (own.X_b - own.X_a);
-  return {.bytes = once.bytes + fields_of_history * longer * nodes * sizeof(double),
+  return {.bytes = once.bytes + fields_of_history * longer * nodes * sizeof(double) +
+                   subsurface::bytes_of_kernels(grid, *input.subsurface),
           .seconds = once.seconds * (1.0 + 2.0 * march.end / march.output_interval)};
 }
 
