@@ -225,7 +225,7 @@ void compute(const Plane& evaluate, StressField& field, int line, int team, cons
   if (stopped) throw core::Interrupted();
 }
 
-// The kernel of plane k: that of `kept`, made if it is not there yet, or one made anew in `own`.
+// The kernel of plane k: that of `kept`, made if it is not there yet, or one made again in `own`.
 template <class Kernel, class Make>
 const Kernel& kernel_of(std::vector<std::optional<Kernel>>* kept, std::size_t k, std::optional<Kernel>& own,
                         const Make& make) {
