@@ -100,11 +100,13 @@ Needs expense(const Case& input) {
   if (!input.transient) return once;
   const transient::MarchParameters& march = input.transient->parameters;
   constexpr double fields_of_history = 8.0;  // four of each body
+  constexpr double with_kernels_kept = 0.2;  // of the time of one body and time [bench: subsurface_kernels_kept]
   const core::Grid own = subsurface::stress_grid(grid, *input.subsurface);
   const double nodes = static_cast<double>(own.nodes_x()) * own.nodes_y() * input.subsurface->planes;
   const double longer = 1.0 + march.end / (own.X_b - own.X_a);
-  return {.bytes = once.bytes + fields_of_history * longer * nodes * sizeof(double),
-          .seconds = once.seconds * (1.0 + 2.0 * march.end / march.output_interval)};
+  return {.bytes = once.bytes + fields_of_history * longer * nodes * sizeof(double) +
+                   subsurface::bytes_of_kernels(grid, *input.subsurface),
+          .seconds = once.seconds * (1.0 + with_kernels_kept * 2.0 * march.end / march.output_interval)};
 }
 
 // A run in time that was stopped has no stresses yet: `ehl resume` computes them at its end.

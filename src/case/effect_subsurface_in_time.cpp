@@ -135,6 +135,12 @@ void compute_stress_course(const Case& input, RunSettings& settings, Computed& c
     const auto [from, to] = std::ranges::minmax(of_body);
     histories.emplace_back(course.grid, course.depths, from, to);
   }
+  const int threads = input.scene.threads;
+  subsurface::Kernels kernels;
+  const auto below = [&](const core::Field& P, double friction) {
+    parameters.friction = friction;
+    return subsurface::stress_below(input.scene.grid, P, parameters, threads, {}, &kernels);
+  };
   for (std::size_t k = 0; k < run.frames.size(); ++k) {
     const transient::Frame& frame = run.frames[k];
     if (!settings.progress.show(static_cast<double>(k) / static_cast<double>(run.frames.size()),
@@ -145,17 +151,12 @@ void compute_stress_course(const Case& input, RunSettings& settings, Computed& c
       break;
     }
     const std::array<double, 2> tractions = tractions_at(input, mu_1, mu_2, run, frame.T);
-    parameters.friction = tractions[0];
-    subsurface::StressField field =
-        subsurface::stress_below(input.scene.grid, frame.P, parameters, input.scene.threads);
-    histories[0].add(field, moved[0][k]);
+    subsurface::StressField field = below(frame.P, tractions[0]);
+    histories[0].add(field, moved[0][k], threads);
     course.rows.push_back({frame.T, field.mises, field.shear});
     for (std::size_t q = 0; q < course.sections.size(); ++q) course.sections[q].push_back(std::move(field.section[q]));
-    if (tractions[1] != tractions[0]) {
-      parameters.friction = tractions[1];
-      field = subsurface::stress_below(input.scene.grid, frame.P, parameters, input.scene.threads);
-    }
-    histories[1].add(field, moved[1][k]);
+    if (tractions[1] != tractions[0]) field = below(frame.P, tractions[1]);
+    histories[1].add(field, moved[1][k], threads);
   }
   for (const History& history : histories) course.bodies.push_back(body_of(history));
   warn_of_coarse(input, course);

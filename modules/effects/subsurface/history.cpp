@@ -57,7 +57,7 @@ History::History(const core::Grid& grid, const std::vector<double>& depths, doub
     list->assign(depths.size(), core::Field(grid_));
 }
 
-void History::add(const StressField& stresses, double displacement) {
+void History::add(const StressField& stresses, double displacement, int threads) {
   const double h = of_stresses_.hx();
   if (begun_) longest_move_ = std::max(longest_move_, std::abs(displacement - last_) / h);
   begun_ = true;
@@ -65,12 +65,15 @@ void History::add(const StressField& stresses, double displacement) {
   const std::vector<core::Field>& mises = planes_of(stresses, sigma_mises);
   const std::vector<core::Field>& tau = planes_of(stresses, tau_max);
   const std::vector<core::Field>& orthogonal = planes_of(stresses, tau_xz);
-  for (int i = 0; i < grid_.nodes_x(); ++i) {
-    const double place = (grid_.X(i) + displacement - of_stresses_.X_a) / h;
-    constexpr double rounding = 1e-9;
-    if (place < -rounding || place > of_stresses_.nx + rounding) continue;
-    const Cubic at = cubic_at(place, of_stresses_.nx);
-    for (std::size_t plane = 0; plane < depths_.size(); ++plane)
+  const int planes = static_cast<int>(depths_.size());
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+  for (int k = 0; k < planes; ++k) {
+    const auto plane = static_cast<std::size_t>(k);
+    for (int i = 0; i < grid_.nodes_x(); ++i) {
+      const double place = (grid_.X(i) + displacement - of_stresses_.X_a) / h;
+      constexpr double rounding = 1e-9;
+      if (place < -rounding || place > of_stresses_.nx + rounding) continue;
+      const Cubic at = cubic_at(place, of_stresses_.nx);
       for (int j = 0; j < grid_.nodes_y(); ++j) {
         mises_[plane](i, j) = std::max(mises_[plane](i, j), along(mises[plane], at, j));
         tau_[plane](i, j) = std::max(tau_[plane](i, j), along(tau[plane], at, j));
@@ -78,6 +81,7 @@ void History::add(const StressField& stresses, double displacement) {
         high_[plane](i, j) = std::max(high_[plane](i, j), sheared);
         low_[plane](i, j) = std::min(low_[plane](i, j), sheared);
       }
+    }
   }
 }
 

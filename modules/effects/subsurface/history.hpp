@@ -25,7 +25,8 @@ class History {
   /// body between two nodes gets its stress by cubic interpolation along X; a point outside the domain gets none.
   /// in: times in rising order. error: between two samples the stress moves over the material by the difference of the
   /// displacements, which should not exceed two cells.
-  void add(const StressField& stresses, double displacement);
+  /// threads >= 1; the result does not depend on them.
+  void add(const StressField& stresses, double displacement, int threads);
 
   const core::Grid& grid() const { return grid_; }  ///< in the coordinates of the body
   const std::vector<double>& depths() const { return depths_; }

@@ -172,6 +172,14 @@ double expected_bytes(const core::Grid& contact, const Parameters& parameters, i
   return sizeof(double) * nodes * (4.0 + kept + per_thread * std::min(threads, parameters.planes));
 }
 
+double bytes_of_kernels(const core::Grid& contact, const Parameters& parameters) {
+  const core::Grid grid = stress_grid(contact, parameters);
+  const double numbers = grid.line ? 6.0 * (2.0 * grid.nx + 1.0)
+                                   : loads * static_cast<double>(components) * (Padding(grid).length_x / 2 + 1) *
+                                         static_cast<double>(Padding(grid).stride / 2);
+  return sizeof(double) * numbers * parameters.planes;
+}
+
 double expected_seconds(const core::Grid& contact, const Parameters& parameters) {
   const core::Grid grid = stress_grid(contact, parameters);
   constexpr double seconds_per_pair = 3e-9;  // of nodes, for a line contact
@@ -182,8 +190,8 @@ double expected_seconds(const core::Grid& contact, const Parameters& parameters)
 
 namespace {
 
-// Computes one plane on thread `t`. in: z; out: its stresses.
-using Plane = std::function<void(double z, int t, StressFields& stress)>;
+// Computes plane k on thread t. out: its stresses.
+using Plane = std::function<void(std::size_t k, int t, StressFields& stress)>;
 
 // All planes; each goes to the next free thread.
 void compute(const Plane& evaluate, StressField& field, int line, int team, const Observer& observe) {
@@ -201,7 +209,7 @@ void compute(const Plane& evaluate, StressField& field, int line, int team, cons
       skip = stopped;
       if (skip) continue;
       const auto k = static_cast<std::size_t>(plane);
-      evaluate(field.depths[k], omp_get_thread_num(), stress);
+      evaluate(k, omp_get_thread_num(), stress);
       for (Volume& volume : field.kept) {
         volume.planes[k] = core::Field(field.grid);
         take_plane(stress, field.grid, volume.quantity, volume.planes[k]);
@@ -217,18 +225,47 @@ void compute(const Plane& evaluate, StressField& field, int line, int team, cons
   if (stopped) throw core::Interrupted();
 }
 
-void compute(const core::Field& P, const Body& body, StressField& field, int line, int threads,
-             const Observer& observe) {
-  const int team = std::min(threads, field.parameters.planes);
-  if (field.grid.line) {
-    const Plane strips = [&](double z, int, StressFields& stress) { stress_of_line(field.grid, P, body, z, stress); };
+// The kernel of plane k: that of `kept`, made if it is not there yet, or one made again in `own`.
+template <class Kernel, class Make>
+const Kernel& kernel_of(std::vector<std::optional<Kernel>>* kept, std::size_t k, std::optional<Kernel>& own,
+                        const Make& make) {
+  std::optional<Kernel>& place = kept != nullptr ? (*kept)[k] : own;
+  if (kept == nullptr || !place) place.emplace(make());
+  return *place;
+}
+
+void compute(const core::Field& P, const Parameters& parameters, StressField& field, int line, int threads,
+             const Observer& observe, Kernels* kernels) {
+  const core::Grid& grid = field.grid;
+  const int team = std::min(threads, parameters.planes);
+  if (kernels != nullptr) {
+    kernels->planes.resize(field.depths.size());
+    kernels->strips.resize(field.depths.size());
+  }
+  if (grid.line) {
+    const Plane strips = [&](std::size_t k, int, StressFields& stress) {
+      std::optional<StripKernel> own;
+      const StripKernel& kernel = kernel_of(kernels != nullptr ? &kernels->strips : nullptr, k, own,
+                                            [&] { return StripKernel(grid, parameters.nu, field.depths[k]); });
+      stress_of_line(kernel, grid, P, parameters.friction, stress);
+    };
     return compute(strips, field, line, team, observe);
   }
-  const PlaneSum sum(field.grid, P, body);
-  std::vector<PlaneSum::Work> work;
-  for (int t = 0; t < team; ++t) work.emplace_back(sum);
-  const Plane by_transform = [&](double z, int t, StressFields& stress) {
-    sum.evaluate(z, work[static_cast<std::size_t>(t)], stress);
+  const PlaneSum sum(grid, P);
+  struct Work {
+    PlaneKernel::Work kernel;
+    PlaneSum::Work sum;
+    std::optional<PlaneKernel> own{};
+  };
+  std::vector<Work> work;
+  for (int t = 0; t < team; ++t) work.push_back({PlaneKernel::Work(grid), PlaneSum::Work(sum)});
+  const bool with_shear = kernels != nullptr || parameters.friction != 0.0;
+  const Plane by_transform = [&](std::size_t k, int t, StressFields& stress) {
+    Work& mine = work[static_cast<std::size_t>(t)];
+    const PlaneKernel& kernel = kernel_of(kernels != nullptr ? &kernels->planes : nullptr, k, mine.own, [&] {
+      return PlaneKernel(grid, parameters.nu, field.depths[k], with_shear, mine.kernel);
+    });
+    sum.evaluate(kernel, parameters.friction, mine.sum, stress);
   };
   compute(by_transform, field, line, team, observe);
 }
@@ -236,7 +273,7 @@ void compute(const core::Field& P, const Body& body, StressField& field, int lin
 }  // namespace
 
 StressField stress_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
-                         const Observer& observe) {
+                         const Observer& observe, Kernels* kernels) {
   const double start = core::now();
   StressField field;
   field.parameters = parameters;
@@ -247,7 +284,7 @@ StressField stress_below(const core::Grid& grid, const core::Field& P, const Par
   field.section.assign(quantities, core::Field(field.grid.nodes_x(), parameters.planes));
   const int line = static_cast<int>(std::lround(-field.grid.Y_a / field.grid.hy()));
   field.section_Y = field.grid.Y(line);
-  compute(pressure_on(field.grid, grid, P), {parameters.nu, parameters.friction}, field, line, threads, observe);
+  compute(pressure_on(field.grid, grid, P), parameters, field, line, threads, observe, kernels);
   field.mises = fitted(field, best_of(field.grid, field.kept[0].planes), field.kept[0].planes);
   field.shear = fitted(field, best_of(field.grid, field.kept[1].planes), field.kept[1].planes);
   std::erase_if(field.kept, [&](const Volume& volume) {

@@ -1,6 +1,7 @@
 #pragma once
 // Stress field below a contact, from its pressure.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "core/grid.hpp"
 #include "core/warning.hpp"
 #include "effects/subsurface/patch.hpp"
+#include "effects/subsurface/plane_kernel.hpp"
+#include "effects/subsurface/strip.hpp"
 
 namespace ehl::subsurface {
 
@@ -74,12 +77,23 @@ double expected_seconds(const core::Grid& contact, const Parameters& parameters)
 /// to stop.
 using Observer = std::function<bool(int planes_done)>;
 
+/// The kernels of all planes, kept between calls of stress_below() on the same grid with the same depths and Poisson's
+/// ratio. A plane's kernel is made when it is first needed.
+struct Kernels {
+  std::vector<std::optional<PlaneKernel>> planes;
+  std::vector<std::optional<StripKernel>> strips;
+};
+/// Memory of the kernels in bytes, when all are made.
+double bytes_of_kernels(const core::Grid& contact, const Parameters& parameters);
+
 /// Stresses below P. in: P on the nodes of the whole domain; threads >= 1. Line contacts: plane strain by direct sums
 /// (strip.hpp); else Fourier transforms (plane_sum.hpp). A coarser stress grid takes P by full weighting, which
 /// conserves the load. Each cell carries its node's pressure.
-/// order: 2 in the mesh size for z > 0 (patch.hpp, README.md). cost: 12 transforms of four times the nodes per plane.
-/// The result does not depend on the number of threads. errors: core::Interrupted.
+/// kernels: if given, the kernels are kept there, those of a shear traction too, and later calls do not make them
+/// again. order: 2 in the mesh size for z > 0 (patch.hpp, README.md). cost per plane: 6 transforms of four times the
+/// nodes, and 6 more to make the kernel of each load. The result does not depend on the number of threads, nor on
+/// whether kernels are kept. errors: core::Interrupted.
 StressField stress_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
-                         const Observer& observe = {});
+                         const Observer& observe = {}, Kernels* kernels = nullptr);
 
 }  // namespace ehl::subsurface

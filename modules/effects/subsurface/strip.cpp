@@ -44,22 +44,42 @@ Stress shear_strip(double x, double z, double half_x, double nu) {
   return plane_strain(4.0 * d.ln_r - d.cosine, d.cosine, -(2.0 * d.t + d.sine), nu);
 }
 
-void stress_of_line(const core::Grid& grid, const core::Field& P, const Body& body, double z, StressFields& stress) {
-  std::vector<Stress> below;  // a cell, at offsets -nx to nx
+StripKernel::StripKernel(const core::Grid& grid, double of_body, double z) : nu(of_body) {
+  const double half_x = 0.5 * grid.hx();
   for (int d = -grid.nx; d <= grid.nx; ++d) {
-    const double x = d * grid.hx(), half_x = 0.5 * grid.hx();
-    Stress& one = below.emplace_back(normal_strip(x, z, half_x, body.nu));
-    const Stress shear = shear_strip(x, z, half_x, body.nu);
-    for (std::size_t k = 0; k < components; ++k) one[k] += body.friction * shear[k];
-  }
-  for (int i = 0; i < grid.nodes_x(); ++i) {
-    Stress sum{};
-    for (int cell = 0; cell < grid.nodes_x(); ++cell) {
-      const Stress& one = below[static_cast<std::size_t>(i - cell + grid.nx)];
-      for (const Component k : {xx, yy, zz, xz}) sum[k] += P(cell, 1) * one[k];
+    const double x = d * grid.hx();
+    const Stress normal = normal_strip(x, z, half_x, nu), shear = shear_strip(x, z, half_x, nu);
+    for (const Component k : {xx, zz, xz}) {
+      under[pressed][k].push_back(normal[k]);
+      under[sheared][k].push_back(shear[k]);
     }
-    for (std::size_t k = 0; k < components; ++k)
-      for (int j = 0; j < grid.nodes_y(); ++j) stress[k](i, j) = sum[k];
+  }
+}
+
+void stress_of_line(const StripKernel& kernel, const core::Grid& grid, const core::Field& P, double friction,
+                    StressFields& stress) {
+  const int nodes = grid.nodes_x();
+  std::vector<double> pressure(static_cast<std::size_t>(nodes));  // from right to left
+  for (int m = 0; m < nodes; ++m) pressure[static_cast<std::size_t>(m)] = P(grid.nx - m, 1);
+  std::vector<double> below(kernel.under[pressed][xx].size());
+  const auto fill = [&](Component k, int i, double value) {
+    for (int j = 0; j < grid.nodes_y(); ++j) stress[k](i, j) = value;
+  };
+  for (const Component k : {xx, zz, xz}) {
+    for (std::size_t d = 0; d < below.size(); ++d)
+      below[d] = kernel.under[pressed][k][d] + friction * kernel.under[sheared][k][d];
+    for (int i = 0; i < nodes; ++i) {
+      double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+      for (int m = 0; m < nodes; ++m)
+        sum += pressure[static_cast<std::size_t>(m)] * below[static_cast<std::size_t>(i + m)];
+      fill(k, i, sum);
+    }
+  }
+  for (int i = 0; i < nodes; ++i) {
+    fill(yy, i, kernel.nu * (stress[xx](i, 1) + stress[zz](i, 1)));
+    fill(xy, i, 0.0);
+    fill(yz, i, 0.0);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "core/norms.hpp"
 #include "effects/subsurface/history.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_stress_history)
@@ -24,7 +25,7 @@ Passed passed(int cells, double step) {
   const Parameters parameters{.depth = 1.5, .planes = 31, .most_cells = cells, .kept = {sigma_mises, tau_max, tau_xz}};
   const StressField field = stress_below(grid, P, parameters, 1);
   History history(field.grid, field.depths, 0.0, 8.0);
-  for (double moved = 0.0; moved <= 8.0; moved += step * grid.hx()) history.add(field, moved);
+  for (double moved = 0.0; moved <= 8.0; moved += step * grid.hx()) history.add(field, moved, 1);
   const Maximum range = history.largest(range_of_tau);
   Passed found{range.value, range.Z, history.largest(largest_mises).value, 0.0, history.longest_move()};
   // All material that the whole contact has passed has met the same.
@@ -65,6 +66,23 @@ BOOST_AUTO_TEST_CASE(samples_between_nodes_and_coarse_ones) {
     BOOST_TEST_MESSAGE(step << " cells between samples: range " << other.range << ", whole " << whole.range);
     BOOST_TEST(std::abs(other.range - whole.range) < 2e-3);
     BOOST_TEST(other.move == step, boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(kept_kernels_change_nothing) {
+  for (const core::Grid& grid : {core::Grid{16, 12, -1.5, 1.5, -1.2, 1.2}, core::line_grid(32, -1.5, 1.5)}) {
+    core::Field P(grid);
+    for (int i = 0; i < grid.nodes_x(); ++i)
+      for (int j = 0; j < grid.nodes_y(); ++j) P(i, j) = 1.0 + (grid.line ? 0.0 : 0.1 * j) + 0.3 * (i % 5);
+    Kernels kernels;
+    for (const double friction : {0.0, 0.1, -0.1}) {
+      const Parameters parameters{.depth = 1.0, .planes = 5, .friction = friction};
+      const StressField anew = stress_below(grid, P, parameters, 1);
+      const StressField kept = stress_below(grid, P, parameters, 2, {}, &kernels);
+      for (std::size_t q = 0; q < quantities; ++q)
+        BOOST_TEST(core::max_abs_difference(anew.section[q], kept.section[q]) == 0.0);
+      P(7, 1) += 0.5;
+    }
   }
 }
 

@@ -41,7 +41,7 @@ double error_below_hertz(int cells) {
   for (core::Field& component : stress) component = core::Field(grid);
   double error = 0.0;
   for (const double z : {0.2, 0.5, 0.8, 2.0}) {
-    stress_of_line(grid, P, {.nu = 0.28}, z, stress);
+    stress_of_line(StripKernel(grid, 0.28, z), grid, P, 0.0, stress);
     for (int i = 0; i <= cells; i += cells / 20) {
       const Stress truth = mc_ewen(grid.X(i), z, 0.28);
       for (std::size_t k = 0; k < components; ++k) error = std::max(error, std::abs(stress[k](i, 1) - truth[k]));
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(friction_on_hertz_line_contact) {
     const core::Grid grid = core::line_grid(200 << k, -1.25, 1.25);
     StressFields with, without;
     for (std::size_t c = 0; c < components; ++c) with[c] = without[c] = core::Field(grid);
-    stress_of_line(grid, hertz(grid), {.nu = 0.3, .friction = 0.5}, 0.0, with);
-    stress_of_line(grid, hertz(grid), {.nu = 0.3}, 0.0, without);
+    stress_of_line(StripKernel(grid, 0.3, 0.0), grid, hertz(grid), 0.5, with);
+    stress_of_line(StripKernel(grid, 0.3, 0.0), grid, hertz(grid), 0.0, without);
     for (int i = 0; i <= grid.nx; ++i)
       if (const double X = grid.X(i); std::abs(X) < 0.6)
         error[k] = std::max(error[k], std::abs(with[xx](i, 1) - without[xx](i, 1) + X));
