@@ -1,7 +1,8 @@
 """What a tuned number does on a map of contacts: solutions, work and convergence with other values of it.
 
 python3 tests/bench/tuned.py EHL FOLDER MAP[,MAP...] [VALUES ...]
-python3 tests/bench/tuned.py EHL FOLDER bars:MAP[,MAP...] [VALUES ...]   error bars on the map's cells against four times as many
+python3 tests/bench/tuned.py EHL FOLDER bars:MAP[,MAP...] [VALUES ...]   error bars on the map's cells, which it must
+                                                                          give, against four times as many
 
 VALUES: section.number=value, several joined by + ("steady.widest_step=400+newton.patience=40"), as `ehl keys tuning`
 lists them. The first line is that of the defaults. Solves what FOLDER does not hold yet, with one thread. A map may be
@@ -20,6 +21,7 @@ MAP, HEAT, HOT_LINE = "hard/stability_map.ini", "thermal/heat_map.ini", "thermal
 M_OF_MAP, L_OF_MAP = (2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000), (0, 2, 5, 10, 15, 20, 25)
 RATIOS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 5, 20, 50, 100, 200)
 LINE = "contact.kind=line"
+RUBS = ("motion.srr=0.3", "contact.a_over_R=0.01", "friction.cavitated=striated")
 
 
 def contacts(deck, *settings, **varied):
@@ -60,8 +62,8 @@ MAPS = {
     "layers": contacts(MAP, "grid.cells=128", contact__M=(10, 50, 200), contact__L=(5, 12), supply__H_oil=(0.05, 0.2, 0.6)) +
               contacts(MAP, "grid.cells=64", "supply.passes=4", contact__M=(20, 100), contact__L=(5,), supply__H_oil=(0.1, 0.4)),
     "line_bars": contacts(MAP, LINE, contact__M=(2, 10, 50, 200, 1000), contact__L=(0, 5, 10, 20), grid__cells=(128, 256)),
-    "friction": contacts(MAP, "motion.srr=0.3", contact__M=(10, 50, 200), contact__L=(5, 12), grid__cells=(128,)) +
-                contacts(MAP, LINE, "motion.srr=0.3", contact__M=(10, 50, 200), contact__L=(5, 12), grid__cells=(128, 256)),
+    "friction": contacts(MAP, *RUBS, contact__M=(10, 50, 200), contact__L=(5, 12), grid__cells=(64, 128)) +
+                contacts(MAP, LINE, *RUBS, contact__M=(10, 50, 200), contact__L=(5, 12), grid__cells=(64, 128, 256)),
     "jumps": [(deck, (*settings, *drive)) for deck, settings in
               contacts(MAP, "transient.end_time=0.6", contact__M=(20, 200), contact__L=(5, 15), grid__cells=(64,)) +
               contacts(MAP, LINE, "transient.end_time=0.6", contact__M=(20, 200), contact__L=(5, 15))
@@ -109,7 +111,7 @@ def work_of(run):
 
 def value_of(run, name):
     """A number of the report; at the end of a run in time."""
-    return {**run, **(run.get("thermal") or {}), **(run.get("transient") or {})}.get(name)
+    return {**run, **{key: value for part in ("friction", "thermal", "transient") for key, value in (run.get(part) or {}).items()}}.get(name)
 
 
 def name_of(case):
