@@ -61,7 +61,8 @@ bool symmetric(const Conditions& conditions) {
 
 std::vector<double> stops_of(const Conditions& conditions, double end, double period) {
   std::vector<double> stops{end};
-  for (double n = 1.0; n * period < end; ++n) stops.push_back(n * period);
+  constexpr double rounding = 1e-12;
+  for (double n = 1.0; n * period < end * (1.0 - rounding); ++n) stops.push_back(n * period);
   for (const Schedule* schedule : schedules_of(conditions))
     for (const auto& times : {jumps(*schedule, end), corners(*schedule, end), quarters(*schedule, end)})
       stops.insert(stops.end(), times.begin(), times.end());

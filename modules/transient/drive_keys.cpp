@@ -156,13 +156,14 @@ double reversal(const Conditions& conditions, double end) {
   return before;
 }
 
-double read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions) {
+std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales,
+                                Conditions& conditions) {
   conditions.load = schedule_of(transient, "load", unit, 1.0);
   conditions.u1 = schedule_of(transient, "u1", unit, scales.u1);
   conditions.u2 = schedule_of(transient, "u2", unit, scales.u2);
   conditions.supply.factor = schedule_of(transient, "supply", unit, 1.0);
-  const std::optional<Cycle> cycle = read_cycle(transient, unit, scales);
-  if (!cycle) return Scales::unset;
+  std::optional<Cycle> cycle = read_cycle(transient, unit, scales);
+  if (!cycle) return cycle;
   const auto take = [&](const char* key, const Schedule& column, Schedule& schedule) {
     if (column.points.empty()) return;
     const std::string wave = std::string(key) + "_wave";
@@ -173,7 +174,7 @@ double read_drive(const deck::Part& transient, double unit, const Scales& scales
   take("u1", cycle->u1, conditions.u1);
   take("u2", cycle->u2, conditions.u2);
   conditions.radius = cycle->radius;
-  return cycle->period;
+  return cycle;
 }
 
 namespace {

@@ -101,7 +101,7 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
 }
 
 // The times of the quasi-steady states.
-void read_states(const deck::Part& transient, double unit, const Scales& scales, Input& input) {
+void read_states(const deck::Part& transient, const std::optional<Cycle>& cycle, Input& input) {
   const std::string mode = transient.word("mode");
   if (mode != "quasi_steady" && mode != "both") return;
   input.mode = mode == "both" ? Mode::both : Mode::quasi_steady;
@@ -109,10 +109,11 @@ void read_states(const deck::Part& transient, double unit, const Scales& scales,
     transient.complain("mode", "in_time is the only mode with [body], whose motion is not steady");
   if (input.conditions.on_1 || input.conditions.on_2)
     transient.complain("mode", "in_time is the only mode with [surface1] or [surface2], whose shapes move");
-  const std::optional<Cycle> cycle = read_cycle(transient, unit, scales);
+  constexpr double rounding = 1e-12;
   if (!cycle) return;
   for (const double T : cycle->times)
-    if (T <= input.parameters.end && (input.states.empty() || T > input.states.back())) input.states.push_back(T);
+    if (T <= input.parameters.end * (1.0 + rounding) && (input.states.empty() || T > input.states.back()))
+      input.states.push_back(T);
 }
 
 // in: otherwise, the longest step if the deck gives none.
@@ -160,18 +161,18 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
     transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);
-  const double period = read_drive(transient, unit, scales, input.conditions);
+  const std::optional<Cycle> cycle = read_drive(transient, unit, scales, input.conditions);
   input.conditions.body = read_body(deck, scales);
   MarchParameters& march = input.parameters = deck::read(transient, march_records());
   input.conditions.conserves_mass = transient.word("cavitation") == "content";
   march.end = transient.number("end_time") / unit;
-  march.period = period;
+  if (cycle) march.period = cycle->period;
   march.longest_step /= unit;
   march.output_interval /= unit;
   march.probes = read_probes(output, grid);
   deck::read(output, output_records(), input);
   if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end, grid);
-  read_states(transient, unit, scales, input);
+  read_states(transient, cycle, input);
   if (deck.errors.empty() && input.mode != Mode::quasi_steady)
     check_steps(transient, march, longest_step(input.conditions, march.end));
   return input;

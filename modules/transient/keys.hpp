@@ -48,19 +48,6 @@ struct FarDemands {
 };
 FarDemands far_demands(const deck::Deck& deck, const Scales& scales);
 
-/// Keys of the schedules. in: unit of time in a/u_m.
-std::vector<deck::Key> drive_keys();
-/// Reads the schedules into `conditions`. in: unit of time in a/u_m. out: the period of a cycle, NaN without. Errors
-/// are added to the deck.
-double read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);
-/// Reports a load or speed that no time integration can follow. in: unit of time of the deck in a/u_m; end of the run;
-/// the finest grid.
-void check_drive(const deck::Part& transient, double unit, const Conditions& conditions, double end,
-                 const core::Grid& grid);
-
-/// The time at which (u1 + u2)/2 turns negative; infinite: it does not until the end.
-double reversal(const Conditions& conditions, double end);
-
 /// Keys of a cycle, which are read by read_cycle().
 std::vector<deck::Key> cycle_keys();
 /// What a table of a cycle prescribes, with times in a/u_m. An empty schedule: the table lacks that column.
@@ -71,6 +58,19 @@ struct Cycle {
 };
 /// Reads the table; nullopt if the deck names none. in: unit of time in a/u_m. Errors are added to the deck.
 std::optional<Cycle> read_cycle(const deck::Part& transient, double unit, const Scales& scales);
+
+/// Keys of the schedules. in: unit of time in a/u_m.
+std::vector<deck::Key> drive_keys();
+/// Reads the schedules and the cycle into `conditions`. in: unit of time in a/u_m. out: the cycle. Errors are added to
+/// the deck.
+std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);
+/// Reports a load or speed that no time integration can follow. in: unit of time of the deck in a/u_m; end of the run;
+/// the finest grid.
+void check_drive(const deck::Part& transient, double unit, const Conditions& conditions, double end,
+                 const core::Grid& grid);
+
+/// The time at which (u1 + u2)/2 turns negative; infinite: it does not until the end.
+double reversal(const Conditions& conditions, double end);
 
 /// Keys of [body]; nullopt if the load is imposed.
 std::vector<deck::Key> body_keys();

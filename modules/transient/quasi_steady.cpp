@@ -44,6 +44,7 @@ class States {
       : hierarchy_(hierarchy),
         scene_(scene),
         conditions_(conditions),
+        parameters_(parameters),
         course_(course_of(conditions, hierarchy.problem.geometry.gap.XX)),
         dae_(hierarchy, course_, {.tuning = conditions.tuning, .newton = scene.newton}),
         showing_(hierarchy, dae_, conditions, parameters, observer, of_unit) {}
@@ -82,7 +83,8 @@ class States {
                 .load = drive.load,
                 .speed = drive.speed,
                 .radius = radius,
-                .carried = unknown};
+                .carried = unknown,
+                .probed = std::vector<Probed>(parameters_.probes.size(), {unknown, unknown})};
     if (drive.speed == 0.0) {
       ++report.at_rest;
       return showing_.show_row(row);
@@ -120,6 +122,7 @@ class States {
   multigrid::Hierarchy& hierarchy_;
   const steady::Scene& scene_;
   const Conditions& conditions_;
+  const MarchParameters& parameters_;
   Course course_;
   ContactDae dae_;
   Showing showing_;

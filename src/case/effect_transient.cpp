@@ -6,6 +6,7 @@
 
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
+#include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "transient/keys.hpp"
 
@@ -13,6 +14,12 @@ namespace ehl::program {
 namespace numbers {
 namespace {
 
+// The extreme of the rows whose value is known.
+double extreme(const TransientResult& run, double transient::StepRow::*value, double (*of_two)(double, double)) {
+  double found = core::unknown;
+  for (const transient::StepRow& row : run.rows) found = of_two(found, row.*value);
+  return found;
+}
 const TransientResult& in_time(Of s) { return *s.computed.in_time; }
 const transient::MarchReport& march(Of s) { return in_time(s).report; }
 bool repeats(Of s) { return !std::isnan(s.input.transient->parameters.period); }
@@ -37,9 +44,9 @@ Group transient_numbers() {
           number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
           number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
           number("least_Hm", "a^2/R", "minimum film of all times",
-                 [](Of s) { return std::ranges::min(in_time(s).rows, {}, &StepRow::Hm).Hm; }),
+                 [](Of s) { return extreme(in_time(s), &StepRow::Hm, std::fmin); }),
           number("largest_P_max", "p_h", "highest pressure of all times",
-                 [](Of s) { return std::ranges::max(in_time(s).rows, {}, &StepRow::P_max).P_max; }),
+                 [](Of s) { return extreme(in_time(s), &StepRow::P_max, std::fmax); }),
           number("steps", "-", "number of time steps", count(&R::steps)),
           number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
           number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),

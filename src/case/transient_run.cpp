@@ -182,6 +182,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
+            result.rows.back().measured.resize(added.numbers.size(), core::unknown);  // a row may have no state
             add_state(states, march.parameters.period, result.rows.back());
             return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
           },

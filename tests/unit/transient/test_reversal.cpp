@@ -57,9 +57,9 @@ BOOST_AUTO_TEST_CASE(a_symmetric_reversal_repeats_mirrored) {
   constexpr double period = 16.0, periods = 2.0;
   const MarchParameters parameters{.end = period * periods, .rtol = 1e-5, .output_interval = period / 8.0};
   const Conditions conditions = reciprocating(period, periods);
-  check_mirrored("point", marched(both_ways(64), conditions, parameters), 4, 1e-3);
+  check_mirrored("point", marched(both_ways(64), conditions, parameters), 4, 5e-4);
   const steady::Scene line = roelands_line(20, 5, core::line_grid(256, -4.5, 4.5));
-  check_mirrored("line", marched(line, conditions, parameters), 4, 1e-3);
+  check_mirrored("line", marched(line, conditions, parameters), 4, 5e-4);
 }
 
 // While rigid cylinders with H = H_0 + X^2/2 do not move, only the squeeze carries the load: H_0' = -sqrt(2)
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(oil_is_conserved_through_the_reversals) {
   scene.supply = [](double) { return 0.25; };
   const Marched all = marched(scene, reciprocating(period, periods), {.end = period * periods, .period = period});
   BOOST_REQUIRE_MESSAGE(all.report.end == MarchEnd::end_time, all.report.reason);
-  double lost = 0.0, least = 1.0, most = 0.0;
+  double lost = 0.0, least = all.rows.front().oil.stored, most = 0.0;
   for (const StepRow& row : all.rows) {
     lost = std::max(lost, std::abs(row.oil.lost));
     if (row.T < period) continue;
