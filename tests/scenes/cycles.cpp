@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_table_is_refused) {
     support::check_refused(folder, {key, dimensionless + key, {"cycle"}});
 }
 
-// The same cycle by a table in SI and by one relative to the contact; the reversal, and the quasi-steady columns.
-BOOST_AUTO_TEST_CASE(a_table_in_si_is_the_relative_one) {
+// The columns of a table in SI become values relative to the contact; quasi-steady films stand next to those in time.
+BOOST_AUTO_TEST_CASE(a_table_in_si_is_converted) {
   const support::TemporaryFolder folder;
   folder.write("c.csv",
                "t [ms],radius_x [mm],load [N/mm],u1 [mm/s],u2 [mm/s]\n0,10,20,1000,1000\n0.5,8,25,-500,-500\n"
