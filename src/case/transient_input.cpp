@@ -47,6 +47,9 @@ void check_geometry(deck::Deck& deck, const Physics& physics, const transient::I
   if (contact::gap(physics.groups.shape).oblique())
     transient.complain(transient.given("cycle") ? "cycle" : "u1",
                        what + " is not available for an ellipse at an angle to the motion: set [contact] angle = 0");
+  if (deck::called_for(deck, "thermal"))
+    transient.complain(transient.given("cycle") ? "cycle" : "u1",
+                       what + " is not available with [thermal]: remove one of them");
   if (domain.given("far_field") && domain.word("far_field") == "closed")
     domain.complain("far_field", "closed is not available with " + what + ": set zero, or remove it");
 }
