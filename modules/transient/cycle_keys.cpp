@@ -83,7 +83,7 @@ Schedule repeated(const std::vector<deck::ColumnRow>& rows, std::size_t column, 
 
 std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scales& scales) {
   if (!part.given("cycle")) return std::nullopt;
-  const bool SI = std::isfinite(scales.a);
+  const bool SI = scales.in_SI, known = std::isfinite(scales.a);
   const bool seconds = part.word("time_unit") == "seconds";
   const bool line = deck::word(part.deck, "contact", "kind") == "line";
   const std::vector<Quantity> wanted = quantities(scales, line);
@@ -123,7 +123,7 @@ std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scale
       part.complain("cycle", fmt::format("the last row must repeat the first one, but {} is {:g} and {:g}: close the "
                                          "cycle, or set cycle_repeats = off",
                                          wanted[k].name, last, first));
-    cycle.*wanted[k].schedule = repeated(table.rows, k + 1, SI ? wanted[k].scale : 1.0, unit, periods);
+    cycle.*wanted[k].schedule = repeated(table.rows, k + 1, known ? wanted[k].scale : 1.0, unit, periods);
   }
   if (std::ranges::any_of(cycle.radius.points, [](const Schedule::Point& point) { return !(point.value > 0.0); }))
     part.complain("cycle", "radius_x must be positive in every row");

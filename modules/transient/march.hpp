@@ -101,7 +101,7 @@ enum class MarchEnd { end_time, film, steady, periodic, failed, interrupted };
 struct MarchReport {
   MarchEnd end = MarchEnd::end_time;
   double T = 0.0;
-  std::string reason{};  ///< why it failed
+  std::string reason{};  ///< why it failed; of quasi-steady states, why the first was not found
   int steps = 0, cycles = 0, newton_steps = 0, rejected = 0, not_solved = 0, restarts = 0;
   double worst_load_error = 0.0;
   double worst_oil_error = 0.0;                     ///< largest of all rows

@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
 #include "core/errors.hpp"
+#include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "multigrid/boundary.hpp"
-#include "multigrid/start.hpp"
-#include "steady/multigrid_solve.hpp"
-#include "transient/contact_dae.hpp"
-#include "transient/jump.hpp"
-#include "transient/scene_in_time.hpp"
-#include "transient/settle.hpp"
-#include "transient/showing.hpp"
+#include "rheology/laws.hpp"
+#include "steady/solve.hpp"
+#include "transient/nodes.hpp"
 
 namespace ehl::transient {
 namespace {
 
-/// M of the contact at a time: load, speed and radius enter W (2U)^(-3/4), in a line contact W (2U)^(-1/2).
+constexpr double unknown = MarchParameters::none;
+
+// M at a time: W (2U)^(-3/4), in a line contact W (2U)^(-1/2). in: radius, R_x over that of the scene.
 double moes_load(const steady::Scene& scene, const Drive& drive, double radius) {
   const double speed = std::abs(drive.speed);
   const double M = scene.contact.M * drive.load;
@@ -26,126 +26,139 @@ double moes_load(const steady::Scene& scene, const Drive& drive, double radius) 
                                             : M * std::pow(speed, -0.75) * std::pow(radius, -1.25);
 }
 
-/// Film between rigid bodies without piezoviscosity, in a^2/R of the scene. h/R (2U)^(-1/2) depends on M alone.
+// Film between rigid bodies without piezoviscosity, in a^2/R of the scene: h/R (2U)^(-1/2) depends on M alone.
 double rigid_film(const steady::Scene& scene, const Drive& drive, double radius) {
   constexpr double exact_of_line = 2.45;
+  const contact::Ellipse& shape = scene.contact.shape;
   const double M = moes_load(scene, drive, radius);
-  const double ratio = contact::line(scene.contact.shape) ? 0.0 : radius * scene.contact.shape.radius_ratio;
-  const double H_moes = ratio == 0.0 ? exact_of_line / M : contact::asymptotes(M, 0.0, ratio).rigid_isoviscous;
-  return contact::H_from_moes_units(H_moes, scene.contact.M, scene.contact.shape) *
-         std::sqrt(std::abs(drive.speed) * radius);
+  const double H_moes = contact::line(shape)
+                            ? exact_of_line / M
+                            : contact::asymptotes(M, 0.0, radius * shape.radius_ratio).rigid_isoviscous;
+  return contact::H_from_moes_units(H_moes, scene.contact.M, shape) * std::sqrt(std::abs(drive.speed) * radius);
 }
 
-/// The states, one after another.
-class States {
- public:
-  States(multigrid::Hierarchy& hierarchy, const steady::Scene& scene, const Conditions& conditions,
-         const MarchParameters& parameters, const Observer& observer, double of_unit)
-      : hierarchy_(hierarchy),
-        scene_(scene),
-        conditions_(conditions),
-        parameters_(parameters),
-        course_(course_of(conditions, hierarchy.problem.geometry.gap.XX)),
-        dae_(hierarchy, course_, {.tuning = conditions.tuning, .newton = scene.newton}),
-        showing_(hierarchy, dae_, conditions, parameters, observer, of_unit) {}
+StepRow row_without_state(const Drive& drive, double T, double radius, std::size_t probes) {
+  return {.T = T,
+          .Hc = unknown,
+          .Hm = unknown,
+          .Hm_X = unknown,
+          .Hm_Y = unknown,
+          .P_max = unknown,
+          .H00 = unknown,
+          .load = drive.load,
+          .speed = drive.speed,
+          .radius = radius,
+          .carried = unknown,
+          .probed = std::vector<Probed>(probes, {unknown, unknown})};
+}
 
-  MarchReport run(const std::vector<double>& times) {
-    Drive at_first = drive_at(conditions_, times.front());
-    settle(hierarchy_, dae_, at_first);
-    found_ = at_first;
-    good_ = multigrid::state_of(hierarchy_, last_level());
-    for (const double T : times)
-      if (!state_at(T)) {
-        showing_.report.end = MarchEnd::interrupted;
-        break;
-      }
-    return std::move(showing_.report);
-  }
-
- private:
-  std::size_t last_level() const { return hierarchy_.levels.size() - 1; }
-
-  // Finds and shows one state. returns false if the observer wants to stop.
-  bool state_at(double T) {
-    constexpr double rigid = 0.1;  // in a lighter contact the bodies are rigid
-    MarchReport& report = showing_.report;
-    report.T = T;
-    ++report.steps;
-    const Drive drive = drive_at(conditions_, T);
-    const double radius = value(conditions_.radius, T);
-    StepRow row{.T = T,
-                .Hc = unknown,
-                .Hm = unknown,
-                .Hm_X = unknown,
-                .Hm_Y = unknown,
-                .P_max = unknown,
-                .H00 = unknown,
-                .load = drive.load,
-                .speed = drive.speed,
-                .radius = radius,
-                .carried = unknown,
-                .probed = std::vector<Probed>(parameters_.probes.size(), {unknown, unknown})};
-    if (drive.speed == 0.0) {
-      ++report.at_rest;
-      return showing_.show_row(row);
+// The fields of a state in the units and coordinates of the given scene.
+Frame frame_of(const StateScene& state, const steady::Solution& found, const Drive& drive, double T) {
+  Frame frame{.T = T, .P = found.P, .H = found.H, .theta = found.theta};
+  for (int i = 0; i < frame.P.nodes_x(); ++i)
+    for (int j = 0; j < frame.P.nodes_y(); ++j) {
+      frame.P(i, j) *= state.pressure;
+      frame.H(i, j) *= state.film;
     }
-    if (moes_load(scene_, drive, radius) < rigid) {
-      row.Hc = row.Hm = rigid_film(scene_, drive, radius);
-      return showing_.show_row(row);
-    }
-    if (!found(T, drive)) {
-      ++report.not_found;
-      return showing_.show_row(row);
-    }
-    showing_.show_frame(T);
-    return showing_.show({.T = T});
-  }
-
-  // Moves the last state that was found to the one at T; leaves it if that fails.
-  bool found(double T, Drive drive) {
-    const double sign = drive.speed < 0.0 ? -1.0 : 1.0;
-    Drive from = found_;
-    from.speed = sign * std::abs(from.speed);  // mirrored
-    if (settle_between(hierarchy_, dae_, T, from, drive).empty()) {
-      dae_.balance_load();
-      found_ = drive;
-      good_ = multigrid::state_of(hierarchy_, last_level());
-      return true;
-    }
-    multigrid::start_from_state(hierarchy_, last_level(), good_);
-    prepare(hierarchy_);
-    hierarchy_.coarsest_weight = 1.0;
-    return false;
-  }
-
-  static constexpr double unknown = MarchParameters::none;
-  multigrid::Hierarchy& hierarchy_;
-  const steady::Scene& scene_;
-  const Conditions& conditions_;
-  const MarchParameters& parameters_;
-  Course course_;
-  ContactDae dae_;
-  Showing showing_;
-  Drive found_{};
-  multigrid::State good_{};
-};
+  if (drive.speed < 0.0)
+    for (core::Field* field : {&frame.P, &frame.H, &frame.theta})
+      if (field->nodes_x() > 0) mirror_in_X(state.scene.grid, *field);
+  return frame;
+}
 
 }  // namespace
 
-MarchReport quasi_steady(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
-                         const MarchParameters& parameters, const std::vector<double>& times,
-                         const Observer& observer) {
+StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, double T) {
+  const Drive drive = drive_at(conditions, T);
+  const double radius = value(conditions.radius, T);
+  const contact::Ellipse& before = scene.contact.shape;
+  StateScene state{.scene = scene};
+  contact::Ellipse shape = before;
+  if (contact::line(before)) {
+    state.length = std::sqrt(drive.load * radius);
+    state.pressure = std::sqrt(drive.load / radius);
+  } else {
+    if (radius != 1.0) shape = contact::ellipse(radius * before.radius_ratio);
+    state.length = std::cbrt(drive.load * radius) * shape.a / before.a;
+    state.pressure = std::cbrt(drive.load / (radius * radius)) * shape.p_h / before.p_h;
+  }
+  state.film = state.length * state.length / radius;
+  steady::Scene& own = state.scene;
+  const double M = moes_load(scene, drive, radius);
+  const double L = scene.contact.L * std::pow(std::abs(drive.speed) / radius, 0.25);
+  own.contact = steady::scales_of(M, L, shape);
+  own.lambda = contact::from_moes(M, L, shape).lambda;
+  own.viscosity = rheology::rescaled(scene.viscosity, state.pressure);
+  own.density = rheology::rescaled(scene.density, state.pressure);
+  if (scene.thinning) {
+    own.thinning = rheology::rescaled(*scene.thinning, state.pressure);
+    own.thinning->k = conditions.thinning_k * drive.sliding / state.film;
+  }
+  for (double* bound : {&own.grid.X_a, &own.grid.X_b}) *bound /= state.length;
+  if (!own.grid.line)
+    for (double* bound : {&own.grid.Y_a, &own.grid.Y_b}) *bound /= state.length;
+  if (scene.supply)
+    own.supply = [supply = scene.supply, s = state.length, film = state.film, share = drive.supply](double Y) {
+      return share * supply(s * Y) / film;
+    };
+  own.observer = {};
+  own.adjoint_errors = own.error_maps = false;
+  return state;
+}
+
+namespace {
+
+// Solves the state at T and writes it to the row. returns why it was not found; empty if it was.
+std::string solve_state(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
+                        const Observer& observer, StepRow& row) {
+  const Drive drive = drive_at(conditions, row.T);
+  const StateScene state = scene_at(scene, conditions, row.T);
+  steady::Solution found;
+  try {
+    found = steady::solve(state.scene);
+  } catch (const core::SolverError& error) {
+    return error.what();
+  }
+  if (!found.converged) return found.failed_check;
+  Frame frame = frame_of(state, found, drive, row.T);
+  const core::Location Hm = core::minimum(frame.H);
+  row.Hc = found.levels.back().Hc * state.film;
+  row.Hm = Hm.value;
+  row.Hm_X = scene.grid.X(Hm.i);
+  row.Hm_Y = scene.grid.Y(Hm.j);
+  row.P_max = core::maximum(frame.P).value;
+  row.carried = drive.load;
+  row.probed = probed_at(scene.grid, frame.P, frame.H, parameters.probes);
+  if (observer.frame) observer.frame(std::move(frame));
+  return "";
+}
+
+}  // namespace
+
+MarchReport quasi_steady(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
+                         const std::vector<double>& times, const Observer& observer) {
+  constexpr double rigid = 0.1;  // M of a contact whose bodies are practically rigid
   const double began = core::now();
-  const steady::Scene own = scene_in_time(scene, conditions);
-  const double of_unit = shift_of_unit(own);
-  multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
-  multigrid::Hierarchy& hierarchy = run.hierarchy;
-  multigrid::start_from_state(hierarchy, run.finest(),
-                              {core::on_patch(hierarchy.finest().grid, start.P), start.H00 - of_unit});
-  prepare(hierarchy);
-  States states(hierarchy, own, conditions, parameters, observer, of_unit);
-  MarchReport report = states.run(times);
-  report.times = hierarchy.times;
+  MarchReport report;
+  for (const double T : times) {
+    report.T = T;
+    ++report.steps;
+    const Drive drive = drive_at(conditions, T);
+    const double radius = value(conditions.radius, T);
+    StepRow row = row_without_state(drive, T, radius, parameters.probes.size());
+    if (drive.speed == 0.0) {
+      ++report.at_rest;
+    } else if (moes_load(scene, drive, radius) < rigid) {
+      row.Hc = row.Hm = rigid_film(scene, drive, radius);
+    } else if (const std::string reason = solve_state(scene, conditions, parameters, observer, row); !reason.empty()) {
+      ++report.not_found;
+      if (report.reason.empty()) report.reason = reason;
+    }
+    if (observer.row && !observer.row(row)) {
+      report.end = MarchEnd::interrupted;
+      break;
+    }
+  }
   report.seconds = core::now() - began;
   return report;
 }

@@ -16,9 +16,9 @@
 namespace ehl::transient {
 namespace {
 
-// Residual after at most `most` cycles at T without squeeze; fewer if it is as small as rounding allows.
-double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, double T, const Drive& drive, int most) {
-  dae.pose(T, drive, 0.0);
+// Residual after at most `most` cycles at T = 0 without squeeze; fewer if it is as small as rounding allows.
+double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& drive, int most) {
+  dae.pose(0.0, drive, 0.0);
   multigrid::update_film(hierarchy, hierarchy.finest());
   const std::size_t l = hierarchy.levels.size() - 1;
   const double settled = dae.tuning().settled_residual, solved = hierarchy.parameters.judgement.solved_residual;
@@ -34,19 +34,16 @@ double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, double T
   return residual;
 }
 
-}  // namespace
-
-std::string settle_between(multigrid::Hierarchy& hierarchy, ContactDae& dae, double T, const Drive& from,
-                           const Drive& to) {
+// Moves the current state to the steady state at T = 0. returns why that failed; empty if it succeeded.
+std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const Tuning& tuning = dae.tuning();
-  const double distance = std::max(std::abs(to.load / from.load - 1.0), std::abs(to.speed / from.speed - 1.0));
+  const double distance = std::max(std::abs(start.load - 1.0), std::abs(start.speed - 1.0));
   const int bits = std::max(1, static_cast<int>(std::ceil(distance / tuning.bit_of_start)));
   double residual = 0.0;
   try {
     for (int k = 1; k <= bits; ++k) {
-      const Drive drive = part_of_the_way(from, to, static_cast<double>(k) / bits);
-      residual =
-          cycles_at_rest(hierarchy, dae, T, drive, k == bits ? tuning.most_settling_cycles : tuning.cycles_per_bit);
+      const Drive drive = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
+      residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? tuning.most_settling_cycles : tuning.cycles_per_bit);
     }
   } catch (const core::SolverError& error) {
     return error.what();
@@ -63,10 +60,12 @@ std::string settle_between(multigrid::Hierarchy& hierarchy, ContactDae& dae, dou
   return fmt::format("the minimum of its film is negative, H = {:.3g}: the mesh is too coarse; use more cells", Hm);
 }
 
+}  // namespace
+
 void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const std::size_t l = hierarchy.levels.size() - 1;
   const multigrid::State from = multigrid::state_of(hierarchy, l);
-  std::string reason = settle_between(hierarchy, dae, 0.0, {}, start);
+  std::string reason = way_to_rest(hierarchy, dae, start);
   // As for the steady solution: stronger damping if the cycles diverge. The time steps keep it.
   const multigrid::Tuning& damping = hierarchy.parameters.tuning;
   while (!reason.empty() && damping.back_off * dae.weight() >= damping.least_all) {
@@ -74,7 +73,7 @@ void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start
     multigrid::start_from_state(hierarchy, l, from);
     prepare(hierarchy);
     hierarchy.coarsest_weight = 1.0;
-    reason = settle_between(hierarchy, dae, 0.0, {}, start);
+    reason = way_to_rest(hierarchy, dae, start);
   }
   if (!reason.empty())
     throw core::SolverError("the steady solution at the start of the run in time was not found: " + reason);

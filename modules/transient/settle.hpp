@@ -1,7 +1,5 @@
 #pragma once
 // State at the start of a time integration.
-#include <string>
-
 #include "multigrid/hierarchy.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/march.hpp"
@@ -13,11 +11,6 @@ namespace ehl::transient {
 /// in: start, the drive at T = 0.
 /// errors: core::SolverError if that state is not found.
 void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
-
-/// Moves the state of the finest level from one steady state to another at T, by increments of load and speed whose
-/// number follows from their relative change. returns why that failed; empty if it succeeded.
-std::string settle_between(multigrid::Hierarchy& hierarchy, ContactDae& dae, double T, const Drive& from,
-                           const Drive& to);
 
 /// y and y' at T = 0: the steady state, or a body at its gap.
 Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions);

@@ -176,8 +176,8 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
     return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
   };
   if (march.mode == transient::Mode::both)
-    result.states = transient::quasi_steady(input.scene, start, march.conditions, march.parameters, march.states,
-                                            {.row = show_state});
+    result.states =
+        transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states, {.row = show_state});
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
@@ -203,11 +203,8 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
             saved = core::now();
           }};
   if (march.mode == transient::Mode::quasi_steady) {
-    result.report = transient::quasi_steady(input.scene, start, march.conditions, march.parameters, march.states,
-                                            {.row = observer.row,
-                                             .frame = observer.frame,
-                                             .measure = observer.measure,
-                                             .measure_fields = observer.measure_fields});
+    result.report = transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states,
+                                            {.row = observer.row, .frame = observer.frame});
     result.states = result.report;
     total(result);
     return result;
@@ -252,8 +249,9 @@ std::string cycle_lines(const Case& input, const TransientResult& result) {
   const transient::MarchReport& states = *result.states;
   return text + fmt::format(
                     "  states     {} quasi-steady states; {} without entrainment and so without a film, {} not "
-                    "found on this grid; {:.3f} s\n",
-                    states.steps, states.at_rest, states.not_found, states.seconds);
+                    "found{}; {:.3f} s\n",
+                    states.steps, states.at_rest, states.not_found,
+                    states.reason.empty() ? "" : " (the first: " + states.reason + ")", states.seconds);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ States states_of(const steady::Scene& scene, const Conditions& conditions, const
     states.rows.push_back(row);
     return true;
   };
-  states.report = quasi_steady(scene, steady::solve(scene), conditions, {}, times, {.row = keep});
+  states.report = quasi_steady(scene, conditions, {}, times, {.row = keep});
   return states;
 }
 
