@@ -31,6 +31,7 @@ if (driven) {
   set format x "%g"
   set xlabel axis_T offset 0, 0.4
   set ylabel "over the start"
+  if (S_min < 0) { set yrange [*:*]; set xzeroaxis }
   plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
        for [k = 1:bends] $table_transient using (T(column("time"))):(bends ? column("radius_x") : NaN) with lines lw 1 dt (2, 2) lc rgb red title "radius", \
        $table_transient using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed"
