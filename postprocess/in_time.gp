@@ -24,8 +24,8 @@ set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 alike(low, high) = high - low <= 1e-9 * (abs(low) + abs(high))
 span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 * low : 0, high > 0 ? 2 * high : 1) : \
     "set yrange [*:*]"
-# Probes take a second line of the key.
-if (probes > 0) { top = top + 4 }
+# Probes and quasi-steady films take a second line of the key.
+if (probes > 0 || quasi > 0) { top = top + 4 }
 # Panel k of `panels`, counted from the top, with space for labels with three decimals.
 share = "(high - m(top + 9.5)) / panels"
 panel(k) = box(m(17), m(4), high - m(top + 4) - k * @share + m(4.5), m(top + 4) + (k - 1) * @share).(k > 1 ? "; unset label 100; " : "; ").key_above
