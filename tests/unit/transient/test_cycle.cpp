@@ -25,11 +25,13 @@ struct States {
 };
 States states_of(const steady::Scene& scene, const Conditions& conditions, const std::vector<double>& times) {
   States states;
+  steady::Scene to_rounding = scene;
+  to_rounding.solver.tolerance = 1e-9;
   const auto keep = [&](const StepRow& row) {
     states.rows.push_back(row);
     return true;
   };
-  states.report = quasi_steady(scene, conditions, {}, times, {.row = keep});
+  states.report = quasi_steady(to_rounding, conditions, {}, times, {.row = keep});
   return states;
 }
 
