@@ -7,7 +7,15 @@ set datafile columnheaders
 stats $table_transient using "time" nooutput prefix "T"
 # Columns P_1, H_1, ... ; the deck gives the place of each probe.
 probes = 0
-do for [one in $table_transient[1]] { probes = probes + (one[1:2] eq "P_" && one ne "P_max") }
+quasi = 0
+bends = 0
+do for [one in $table_transient[1]] {
+  probes = probes + (one[1:2] eq "P_" && one[1:5] ne "P_max")
+  quasi = quasi + (one eq "Hc_quasi_steady")
+  bends = bends + (one eq "radius_x")
+}
+# A column that a table has only with quasi-steady states.
+steady(name) = quasi ? column(name) : NaN
 places = probes > 0 ? system(read."deck | sed -n 's/^probe = //p' | tr ',' '\n' | sed 's/^ *//;s/ *$//;s/  */,/g' | paste -s -d ' '") : ""
 place(k) = "at (".word(places, k).") a"
 probe_colour(k) = word("#e69f00 #009e73 #cc79a7 #56b4e9 #8c510a #444444", (k - 1) % 6 + 1)
@@ -16,8 +24,8 @@ set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 alike(low, high) = high - low <= 1e-9 * (abs(low) + abs(high))
 span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 * low : 0, high > 0 ? 2 * high : 1) : \
     "set yrange [*:*]"
-# Probes take a second line of the key.
-if (probes > 0) { top = top + 4 }
+# Probes and quasi-steady films take a second line of the key.
+if (probes > 0 || quasi > 0) { top = top + 4 }
 # Panel k of `panels`, counted from the top, with space for labels with three decimals.
 share = "(high - m(top + 9.5)) / panels"
 panel(k) = box(m(17), m(4), high - m(top + 4) - k * @share + m(4.5), m(top + 4) + (k - 1) * @share).(k > 1 ? "; unset label 100; " : "; ").key_above

@@ -247,7 +247,7 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
 }
 
 bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellipse& shape, double steepest_load,
-                    bool body_moves) {
+                    const std::string& why_zero) {
   // The oil outside the domain carries a change of load by squeeze, with boundary pressures at which the bodies are no
   // longer rigid. Ellipses across the motion have a short inlet beside their width. [bench: too_steep]
   const bool steep = steepest_load > tuning.too_steep;
@@ -259,9 +259,8 @@ bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellip
                                 "contact's load within a/u_m: set zero",
                                 std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load),
                                 tuning.too_steep));
-  // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
-  if (unsure || body_moves)
-    domain.follow("far_field", std::string("zero"), unsure ? "the load changes fast in time" : "a body moves");
+  if (unsure || !why_zero.empty())
+    domain.follow("far_field", std::string("zero"), unsure ? "the load changes fast in time" : why_zero);
   return closed(domain);
 }
 

@@ -30,12 +30,12 @@ struct GridInput {
 GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect = 1.0, bool line = false);
 /// Reads [grid] errors: true for adjoint error estimates.
 bool read_adjoint_errors(deck::Deck& deck);
-/// Reads [domain] far_field: true for the closed form. in: steepest_load, the largest rate of change of the load, and
-/// whether a body moves. Complains if the deck asks for the closed form at a rate above 2 in a/u_m, which that form
-/// does not follow. If the deck leaves the far field open, it is zero above that rate (0.5 if the contact is not
-/// circular) and for moving bodies.
+/// Reads [domain] far_field: true for the closed form. in: steepest_load, the largest rate of change of the load;
+/// why_zero, why the closed form is not the default of this run in time, or empty. Complains if the deck asks for the
+/// closed form at a rate above 2 in a/u_m, which that form does not follow. If the deck leaves the far field open, it
+/// is zero above that rate (0.5 if the contact is not circular) and where `why_zero` says so.
 bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellipse& shape, double steepest_load,
-                    bool body_moves);
+                    const std::string& why_zero);
 /// Complains if the chosen domain cuts off half of the film; a domain that the deck gives may do so, because a starved
 /// film may be wanted. Complains too if the domain ends where the far field in closed form has no meaning.
 void check_domain(deck::Deck& deck, const Scene& scene);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "transient/nodes.hpp"
+
 namespace ehl::transient {
 namespace {
 
@@ -11,8 +13,8 @@ namespace {
 double supply_at(const Supply& supply, double T, double u1, double u2) {
   const double factor = value(supply.factor, T);
   const double speed = 0.5 * (u1 + u2);
-  if (!(speed > 0.0)) return factor;  // nothing flows in
-  if (supply.is_flow) return factor / speed;
+  if (speed == 0.0) return factor;  // nothing flows in
+  if (supply.is_flow) return factor / std::abs(speed);
   return std::isnan(supply.layer1) ? factor : factor * (u1 * supply.layer1 + u2 * supply.layer2) / speed;
 }
 
@@ -29,12 +31,21 @@ Drive drive_at(const Conditions& conditions, double T) {
           .sliding = std::abs(u1 - u2)};
 }
 
-Course course_of(const Conditions& conditions) {
+std::array<const Schedule*, 5> schedules_of(const Conditions& conditions) {
+  return {&conditions.load, &conditions.u1, &conditions.u2, &conditions.radius, &conditions.supply.factor};
+}
+
+Course course_of(const Conditions& conditions, double gap_XX) {
   Course course;
   course.body = conditions.body;
-  if (conditions.on_1 || conditions.on_2)
-    course.surface = [&](const core::Patch& grid, double T, core::Field& S) {
+  const bool bends = !conditions.radius.points.empty();
+  if (conditions.on_1 || conditions.on_2 || bends)
+    course.surface = [&conditions, bends, gap_XX](const core::Patch& grid, double T, core::Field& S) {
       S.fill(0.0);
+      if (bends) {
+        const double XX = gap_XX * (1.0 / value(conditions.radius, T) - 1.0);
+        for_nodes(grid, [&](int i, int j, std::size_t) { S(i, j) = XX * grid.X(i) * grid.X(i); });
+      }
       if (conditions.on_1) surface::add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
       if (conditions.on_2) surface::add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
     };
@@ -48,9 +59,11 @@ bool symmetric(const Conditions& conditions) {
   return none_or_symmetric(conditions.on_1) && none_or_symmetric(conditions.on_2);
 }
 
-std::vector<double> stops_of(const Conditions& conditions, double end) {
+std::vector<double> stops_of(const Conditions& conditions, double end, double period) {
   std::vector<double> stops{end};
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2, &conditions.supply.factor})
+  constexpr double rounding = 1e-12;
+  for (double n = 1.0; n * period < end * (1.0 - rounding); ++n) stops.push_back(n * period);
+  for (const Schedule* schedule : schedules_of(conditions))
     for (const auto& times : {jumps(*schedule, end), corners(*schedule, end), quarters(*schedule, end)})
       stops.insert(stops.end(), times.begin(), times.end());
   std::ranges::sort(stops);
@@ -59,15 +72,14 @@ std::vector<double> stops_of(const Conditions& conditions, double end) {
 }
 
 bool jumps_at(const Conditions& conditions, double T, double end) {
-  const auto jumps_there = [&](const Schedule& schedule) { return std::ranges::count(jumps(schedule, end), T) > 0; };
-  return jumps_there(conditions.load) || jumps_there(conditions.u1) || jumps_there(conditions.u2) ||
-         jumps_there(conditions.supply.factor);
+  return std::ranges::any_of(schedules_of(conditions), [&](const Schedule* schedule) {
+    return std::ranges::count(jumps(*schedule, end), T) > 0;
+  });
 }
 
 double longest_step(const Conditions& conditions, double end) {
   double step = std::min(conditions.tuning.longest_step, 0.01 * end);
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2, &conditions.supply.factor})
-    step = std::min(step, resolving_step(*schedule));
+  for (const Schedule* schedule : schedules_of(conditions)) step = std::min(step, resolving_step(*schedule));
   if (conditions.body) {
     const double share_of_vibration = conditions.tuning.share_of_vibration;
     const Body& body = *conditions.body;

@@ -1,5 +1,6 @@
 #pragma once
 // The conditions of a contact that vary in time, and the time steps that resolve them.
+#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -26,6 +27,7 @@ struct Conditions {
   Schedule load{};  ///< over the load of the scene
   Schedule u1{};    ///< speed of surface 1 over u_m
   Schedule u2{};
+  Schedule radius{};  ///< R_x over that of the scene; R_y stays the same
   std::optional<surface::Relief> on_1{};
   std::optional<surface::Relief> on_2{};
   std::optional<Body> body{};  ///< a body that moves; absent: the film carries the load at all times
@@ -39,16 +41,21 @@ struct Conditions {
 /// Load, entrainment speed and supply factor at T.
 Drive drive_at(const Conditions& conditions, double T);
 
-/// The moving surfaces, each displaced by the integral of its own speed, and the body. The conditions must outlive the
-/// result.
-Course course_of(const Conditions& conditions);
+/// The moving surfaces, each displaced by the integral of its own speed, and the body. A radius that varies adds
+/// gap_XX (1/radius - 1) X^2 to the gap. in: gap_XX, the coefficient of X^2 in the scene's gap. The conditions must
+/// outlive the result.
+Course course_of(const Conditions& conditions, double gap_XX = 0.5);
+
+/// All schedules, for what is asked of each.
+std::array<const Schedule*, 5> schedules_of(const Conditions& conditions);
 
 /// True if no moving surface breaks the symmetry in Y.
 bool symmetric(const Conditions& conditions);
 
-/// Times in [0, end] at which a time step must end: jumps, corners, the quarters of short ramps, and the end;
-/// ascending.
-std::vector<double> stops_of(const Conditions& conditions, double end);
+/// Times in [0, end] at which a time step must end: jumps, corners, the quarters of short ramps, whole periods, and the
+/// end; ascending. in: period, NaN if the conditions do not repeat.
+std::vector<double> stops_of(const Conditions& conditions, double end,
+                             double period = std::numeric_limits<double>::quiet_NaN());
 
 /// True if load, speed or supply jumps at T.
 bool jumps_at(const Conditions& conditions, double T, double end);

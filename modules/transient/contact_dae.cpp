@@ -52,7 +52,7 @@ bool ContactDae::in_zone(int i, int j) const {
 
 void ContactDae::state(std::span<double> y) const {
   const multigrid::Level& level = hierarchy_.levels.back();
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
     y[k] = level.P(i, j);
     y[nodes_ + k] = content(i, j);
   });
@@ -63,7 +63,8 @@ void ContactDae::state(std::span<double> y) const {
 
 void ContactDae::pose(double T, const Drive& drive, double cj) {
   multigrid::Level& level = hierarchy_.finest();
-  hierarchy_.transport.speed = drive.speed;
+  reversed_ = drive.speed < 0.0;
+  hierarchy_.transport.speed = std::abs(drive.speed);
   hierarchy_.transport.squeeze = cj;
   hierarchy_.sliding = drive.sliding;
   level.load = W_ * drive.load - level.load_outside;
@@ -73,6 +74,7 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   level.role = multigrid::Role::solved;
   level.scheme = multigrid::scheme_of(hierarchy_.problem);
   if (course_.surface) course_.surface(level.grid, T, level.F);
+  if (course_.surface && reversed_) mirror_in_X(level.grid, level.F);
   if (!conserves_mass()) return;
   hierarchy_.supply_factor = drive.supply;
   multigrid::supply_oil(hierarchy_, level);
@@ -85,7 +87,7 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
     V_ = y[2 * nodes_ + 1];
     if (!yp.empty()) level.load += W_ * (course_.body->mass * yp[2 * nodes_ + 1] + course_.body->damping * V_);
   }
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
   core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
   level.H00_of_boundary = hierarchy_.H00;

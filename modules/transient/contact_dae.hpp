@@ -17,7 +17,7 @@ namespace ehl::transient {
 /// What acts on the contact at one time.
 struct Drive {
   double load = 1.0;       ///< over the load from which the dimensionless groups are made
-  double speed = 1.0;      ///< U >= 0: entrainment speed over u_m, the speed that enters lambda
+  double speed = 1.0;      ///< U: entrainment speed over u_m, the speed that enters lambda; < 0: along -X
   double load_rate = 0.0;  ///< d load/dT before T, for the far field
   double supply = 1.0;     ///< oil supplied at the inlet, over that of the problem
   double sliding = 0.0;    ///< |u1 - u2| over u_m
@@ -66,6 +66,10 @@ struct OilInTime {
 /// a closed far field P on the boundary follows from H00 and H00', and the integral includes the load outside. Where
 /// mass is conserved Q of a cavitated node is an unknown, and the last unknown is the oil A of all interior nodes by
 /// the flows, A' = in - out - aside; it must equal the oil that the nodes store.
+///
+/// The wedge schemes, the march of the oil and the relaxation are written for a flow along +X. While U < 0 the level
+/// therefore holds all fields mirrored in X, with the speed -U; y stays in the fixed coordinates, so IDA's history does
+/// not change. limits: where U may become negative, X_a = -X_b and the gap has no term X Y.
 class ContactDae {
  public:
   /// in: a hierarchy whose finest level holds the initial state and has the right-hand sides of a coarse level (see
@@ -113,6 +117,8 @@ class ContactDae {
 
   /// Velocity of the body; 0 without a body.
   double velocity() const { return V_; }
+  /// True while U < 0: the level holds all fields mirrored in X.
+  bool reversed() const { return reversed_; }
   LoadBalance load_balance() const;
   /// V' of the body, from its equation of motion with the carried load.
   double acceleration(const Drive& drive) const;
@@ -146,8 +152,9 @@ class ContactDae {
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
-  double W_;           ///< integral of P for the load from which the groups are made
-  double V_ = 0.0;     ///< velocity of the body
+  double W_;        ///< integral of P for the load from which the groups are made
+  double V_ = 0.0;  ///< velocity of the body
+  bool reversed_ = false;
   double zone_ = 0.0;  ///< weighted number of nodes in the error norm, on the whole domain
   double weight_ = 1.0;
   double rate_;  ///< convergence factor of the cycles, as last measured

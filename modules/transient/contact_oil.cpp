@@ -33,7 +33,7 @@ bool ContactDae::at_edge(std::span<const double> y, int i, int j) const {
 void ContactDae::set_content(std::span<const double> y) {
   if (!conserves_mass()) return;
   multigrid::Level& level = hierarchy_.finest();
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
     const double full = level.rho_bar(i, j) * level.H(i, j);
     level.content->Q(i, j) = level.P(i, j) > 0.0 ? full : std::clamp(y[nodes_ + k], 0.0, full);
   });
@@ -88,8 +88,11 @@ OilInTime ContactDae::oil() const {
 }
 
 core::Field ContactDae::theta() const {
+  if (!conserves_mass()) return {};
   const multigrid::Level& level = hierarchy_.levels.back();
-  return conserves_mass() ? core::on_domain(level.grid, multigrid::theta_of(level)) : core::Field();
+  core::Field theta = multigrid::theta_of(level);
+  if (reversed_) mirror_in_X(level.grid, theta);
+  return core::on_domain(level.grid, theta);
 }
 
 }  // namespace ehl::transient

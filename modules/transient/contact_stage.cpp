@@ -18,7 +18,7 @@ double ContactDae::change(const Stage& stage, double H00_before) {
   const multigrid::Level& level = hierarchy_.finest();
   const std::span<const double> weights = stage.weights;
   double sum = 0.0;
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
     const double Q = content(i, j);
     const double dP = weights[k] * (level.P(i, j) - P_before_(i, j));
     const double dQ = weights[nodes_ + k] * (Q - Q_before_(i, j));
@@ -51,7 +51,7 @@ void ContactDae::begin(const Stage& stage, const Drive& drive) {
   hierarchy_.far_motion.origin = hierarchy_.H00;
   multigrid::renew_load_outside(hierarchy_, level);
   if (course_.body) move_body(stage);
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
     level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
     P_before_(i, j) = level.P(i, j);
     Q_before_(i, j) = content(i, j);

@@ -32,7 +32,8 @@ std::vector<deck::Key> drive_keys() {
       schedule(
           "u1", of_motion,
           "Speed of surface 1 over the entrainment speed u_m of [motion] (of M and L without [motion]), written like "
-          "load. The film moves with (u1 + u2)/2, which must not be negative.",
+          "load. The film moves with (u1 + u2)/2. Where that turns negative the oil enters at positive x; the domain "
+          "must then extend equally far to both sides.",
           "1:1 2:0 3:0 4:1"),
       schedule("u1_wave", "none", "Oscillation of u1, written like load_wave.", "0.5 4"),
       schedule("u2", of_motion, "Speed of surface 2, written like u1.", "1:1 2:0 3:0 4:1"),
@@ -136,11 +137,15 @@ Schedule schedule_of(const deck::Part& part, const std::string& key, double unit
   return schedule;
 }
 
-// The last time before (u1 + u2)/2 turns negative; infinite: it does not until the end.
+}  // namespace
+
 double reversal(const Conditions& conditions, double end) {
   constexpr int samples = 4000;  // times between the stops, for the wave; a shorter dip is not seen
   std::vector<double> times = stops_of(conditions, end);
   for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
+  for (const Schedule* speed : {&conditions.u1, &conditions.u2})
+    for (const Schedule::Point& point : speed->points)
+      if (point.T <= end) times.push_back(point.T);
   std::ranges::sort(times);
   const auto backwards = [&](double T) { return drive_at(conditions, T).speed < 0.0; };
   const auto found = std::ranges::find_if(times, backwards);
@@ -151,33 +156,42 @@ double reversal(const Conditions& conditions, double end) {
   return before;
 }
 
-// The message about a reversal of the entrainment at a time in the unit of the deck, and what can be run instead.
-std::string reversed(const deck::Part& part, double time) {
-  const std::string unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
-  // Rounded down, so that a run with this end is accepted.
-  const double digits = std::pow(10.0, 4.0 - std::ceil(std::log10(std::fmax(time, 1e-300))));
-  const double end = std::floor(time * digits) / digits;
-  const std::string what = fmt::format(
-      "(u1 + u2)/2 turns negative after {:.6g} {}: the oil would then enter on the other side, which is not "
-      "available. ",
-      time, unit);
-  if (end <= 0.0) return what + "Reverse x and both speeds, so that the oil enters at negative x";
-  return what + fmt::format(
-                    "Run the strokes one by one: this one with end_time = {:g}, the return stroke in a deck of its own "
-                    "that begins after the reversal, with x and both speeds reversed",
-                    end);
-}
-
-}  // namespace
-
-void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions) {
+std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales,
+                                Conditions& conditions) {
   conditions.load = schedule_of(transient, "load", unit, 1.0);
   conditions.u1 = schedule_of(transient, "u1", unit, scales.u1);
   conditions.u2 = schedule_of(transient, "u2", unit, scales.u2);
   conditions.supply.factor = schedule_of(transient, "supply", unit, 1.0);
+  std::optional<Cycle> cycle = read_cycle(transient, unit, scales);
+  if (!cycle) return cycle;
+  const auto take = [&](const char* key, const Schedule& column, Schedule& schedule) {
+    if (column.points.empty()) return;
+    const std::string wave = std::string(key) + "_wave";
+    transient.refuse({key, wave}, std::string("the table of cycle has a column ") + key + ": remove one of them");
+    schedule = column;
+  };
+  take("load", cycle->load, conditions.load);
+  take("u1", cycle->u1, conditions.u1);
+  take("u2", cycle->u2, conditions.u2);
+  conditions.radius = cycle->radius;
+  return cycle;
 }
 
-void check_drive(const deck::Part& part, double unit, const Conditions& conditions, double end) {
+namespace {
+
+// A flow that reverses is computed on the mirror image of the grid.
+void check_reversal(const deck::Part& part, const std::string& key, double time, const core::Grid& grid) {
+  if (grid.X_b == -grid.X_a) return;
+  const std::string unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
+  part.complain(key, fmt::format("(u1 + u2)/2 turns negative after {:.6g} {}, and the oil then enters at positive x, "
+                                 "but the domain ends there at {:g} Hertz radii: set [domain] x_outlet = {:g}",
+                                 time, unit, grid.X_b, -grid.X_a));
+}
+
+}  // namespace
+
+void check_drive(const deck::Part& part, double unit, const Conditions& conditions, double end,
+                 const core::Grid& grid) {
   const std::optional<Body>& body = conditions.body;
   if (body && least(conditions.load, end) < 0.0)
     part.complain(part.given("load_wave") ? "load_wave" : "load", "the load must not be negative");
@@ -186,9 +200,9 @@ void check_drive(const deck::Part& part, double unit, const Conditions& conditio
   if (!body && !(least(conditions.load, end) > 0.0))
     part.complain(part.given("load_wave") ? "load_wave" : "load",
                   "the load must stay positive until the end: otherwise the bodies would separate; [body] allows that");
-  const char* key = part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
-  if (const double turn = reversal(conditions, end); turn <= end)
-    return part.complain(key, reversed(part, turn * unit));
+  const char* key = part.given("cycle") ? "cycle" : part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
+  if (const double turn = reversal(conditions, end); turn <= end && turn > 0.0)
+    check_reversal(part, key, turn * unit, grid);
   if (value(conditions.supply.factor, 0.0) != 1.0)
     part.complain("supply", "must be 1 at time 0, because [supply] gives the oil at that time");
   if (least(conditions.supply.factor, end) < 0.0)
@@ -196,7 +210,9 @@ void check_drive(const deck::Part& part, double unit, const Conditions& conditio
                   "the oil that [supply] gives must not be negative");
   const bool from_steady = !body || !body->gap;
   if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
-    part.complain(key, "(u1 + u2)/2 must be positive at time 0: otherwise there is no steady film to start from");
+    part.complain(key,
+                  "(u1 + u2)/2 must be positive at time 0, because the run starts from that steady film: begin at "
+                  "another time, or reverse x and both speeds");
 }
 
 std::optional<Body> read_body(deck::Deck& deck, const Scales& scales) {

@@ -48,6 +48,10 @@ deck::Records<MarchParameters> stop_records() {
           "The run ends when the minimum film falls to this value, H = hR/a^2."),
       key("stop_steady", &MarchParameters::stop_steady, Range{1e-12, 0.1}, example("1e-6"), otherwise("none"),
           "The run ends when Hc, Hm and P_max have changed by less than this relative value during a/u_m."),
+      key("stop_periodic", &MarchParameters::stop_periodic, Range{1e-8, 0.1}, example("1e-3"), otherwise("none"),
+          needs("cycle"),
+          "The run ends after a period in which Hc and Hm differ from those of the period before, at the same phase, "
+          "by less than this relative value. The report states the difference in any case."),
   };
 }
 
@@ -66,7 +70,7 @@ deck::Records<Input> output_records() {
 const deck::Condition in_time{.name = "end_time", .section = "transient"};
 
 deck::Records<MarchParameters> march_records() {
-  const std::vector<deck::Key> drive = drive_keys();
+  const std::vector<deck::Key> drive = deck::together({drive_keys(), cycle_keys()});
   return deck::only_with<MarchParameters>(
       {.name = "end_time"},
       deck::together<deck::Record<MarchParameters>>({time_records(), {drive.begin(), drive.end()}, stop_records()}));
@@ -96,6 +100,22 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
   return places;
 }
 
+// The times of the quasi-steady states.
+void read_states(const deck::Part& transient, const std::optional<Cycle>& cycle, Input& input) {
+  const std::string mode = transient.word("mode");
+  if (mode != "quasi_steady" && mode != "both") return;
+  input.mode = mode == "both" ? Mode::both : Mode::quasi_steady;
+  if (input.conditions.body)
+    transient.complain("mode", "in_time is the only mode with [body], whose motion is not steady");
+  if (input.conditions.on_1 || input.conditions.on_2)
+    transient.complain("mode", "in_time is the only mode with [surface1] or [surface2], whose shapes move");
+  constexpr double rounding = 1e-12;
+  if (!cycle) return;
+  for (const double T : cycle->times)
+    if (T <= input.parameters.end * (1.0 + rounding) && (input.states.empty() || T > input.states.back()))
+      input.states.push_back(T);
+}
+
 // in: otherwise, the longest step if the deck gives none.
 void check_steps(const deck::Part& transient, const MarchParameters& march, double otherwise) {
   const double longest = std::isnan(march.longest_step) ? otherwise : march.longest_step;
@@ -118,13 +138,19 @@ std::vector<deck::Key> keys() {
                          deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
 
-double steepest_load(const deck::Deck& deck, const Scales& scales) {
+FarDemands far_demands(const deck::Deck& deck, const Scales& scales) {
   deck::Deck read_ahead = deck;
   const deck::Part transient{read_ahead, "transient"};
   const double unit = unit_of_time(transient, scales);
   Conditions conditions;
   read_drive(transient, unit, scales, conditions);
-  return steepest(conditions.load, transient.number("end_time") / unit);
+  const double end = transient.number("end_time") / unit;
+  FarDemands demands{.steepest_load = steepest(conditions.load, end)};
+  if (!conditions.radius.points.empty())
+    demands.why_zero = "radius_x varies in time";
+  else if (std::isfinite(end) && reversal(conditions, end) <= end)
+    demands.why_zero = "the direction of the entrainment reverses";
+  return demands;
 }
 
 Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid) {
@@ -135,17 +161,20 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
     transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);
-  read_drive(transient, unit, scales, input.conditions);
+  const std::optional<Cycle> cycle = read_drive(transient, unit, scales, input.conditions);
   input.conditions.body = read_body(deck, scales);
   MarchParameters& march = input.parameters = deck::read(transient, march_records());
   input.conditions.conserves_mass = transient.word("cavitation") == "content";
   march.end = transient.number("end_time") / unit;
+  if (cycle) march.period = cycle->period;
   march.longest_step /= unit;
   march.output_interval /= unit;
   march.probes = read_probes(output, grid);
   deck::read(output, output_records(), input);
-  if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end);
-  if (deck.errors.empty()) check_steps(transient, march, longest_step(input.conditions, march.end));
+  if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end, grid);
+  read_states(transient, cycle, input);
+  if (deck.errors.empty() && input.mode != Mode::quasi_steady)
+    check_steps(transient, march, longest_step(input.conditions, march.end));
   return input;
 }
 

@@ -13,10 +13,9 @@
 #include "steady/multigrid_solve.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
-#include "transient/rest.hpp"
 #include "transient/scene_in_time.hpp"
 #include "transient/settle.hpp"
-#include "transient/snapshot.hpp"
+#include "transient/showing.hpp"
 
 namespace ehl::transient {
 namespace {
@@ -29,17 +28,16 @@ class March {
   March(multigrid::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
         const Observer& observer, const newton::Tuning& newton, double of_unit, double line_unit)
       : hierarchy_(hierarchy),
-        of_unit_(of_unit),
         line_unit_(line_unit),
         conditions_(conditions),
         tuning_(conditions.tuning),
         parameters_(parameters),
         observer_(observer),
-        course_(course_of(conditions)),
+        course_(course_of(conditions, hierarchy.problem.geometry.gap.XX)),
         dae_(hierarchy_, course_,
              {.rtol = parameters.rtol, .Q_scale = film_scale(), .tuning = conditions.tuning, .newton = newton}),
         between_(dae_.size()),
-        rest_(parameters.stop_steady) {
+        showing_(hierarchy, dae_, conditions, parameters, observer, of_unit) {
     if (course_.surface)
       course_.surface = [this, shape = std::move(course_.surface)](const core::Patch& grid, double T, core::Field& S) {
         const double began = core::now();
@@ -66,15 +64,15 @@ class March {
     multigrid::take_line_zero(hierarchy_, line_unit_);
     report_.T = start.T;
     report_.restarts = start.restarts;
-    frames_ = start.frames;
+    showing_.frames = start.frames;
     dae_.set_state(start.T, drive(start.T), start.y, start.yp);
-    const std::vector<double> stops = stops_of(conditions_, parameters_.end);
+    const std::vector<double> stops = stops_of(conditions_, parameters_.end, parameters_.period);
     bool on = true;
     if (!from) {
-      on = show({}) || stopped(MarchEnd::interrupted);
+      on = showing_.show({}) || stopped(MarchEnd::interrupted);
       // An event needs a change of sign, which a film that starts below the limit does not have.
       if (on && dae_.least_film(start.y) <= parameters_.stop_film) on = stopped(MarchEnd::film);
-      show_frame(0.0);
+      showing_.show_frame(0.0);
       if (on && starts_moving()) on = set_off(*std::ranges::upper_bound(stops, 0.0), start);
     }
     const double shorter = from ? tuning_.after_checkpoint * from->step : tuning_.first_step;
@@ -89,7 +87,7 @@ class March {
       if (on && jumps_at(conditions_, stops[k], parameters_.end)) on = cross(ida, stops[k + 1]);
     }
     const bool whole = report_.end != MarchEnd::failed && report_.end != MarchEnd::interrupted;
-    if (whole && last_frame_ < report_.T * (1.0 - rounding_of_time)) show_frame(report_.T);
+    if (whole && showing_.last_frame < report_.T * (1.0 - rounding_of_time)) showing_.show_frame(report_.T);
     return std::move(report_);
   }
 
@@ -115,7 +113,8 @@ class March {
       if ((wanted || !on) && observer_.checkpoint) hand_out_checkpoint(step.length, ida.y(), ida.yp());
       if (!on) return stopped(MarchEnd::interrupted);
       if (step.end == StepReport::End::at_event) return stopped(MarchEnd::film);
-      if (at_rest_) return stopped(MarchEnd::steady);
+      if (showing_.at_rest()) return stopped(MarchEnd::steady);
+      if (showing_.periodic()) return stopped(MarchEnd::periodic);
       if (!(step.T > before)) return fail("the time step is too small to change the time");
     }
     return true;
@@ -177,7 +176,7 @@ class March {
   }
 
   void hand_out_checkpoint(double length, std::span<const double> y, std::span<const double> yp) {
-    Checkpoint at{report_.T, length, frames_, report_.restarts, dae_.weight()};
+    Checkpoint at{report_.T, length, showing_.frames, report_.restarts, dae_.weight()};
     at.y.assign(y.begin(), y.end());
     at.yp.assign(yp.begin(), yp.end());
     observer_.checkpoint(std::move(at));
@@ -192,20 +191,9 @@ class March {
     report_.newton_steps += step.newton_steps;
     report_.rejected += step.rejected;
     report_.not_solved += step.not_solved;
-    const bool on = show(step);
+    const bool on = showing_.show(step);
     frames_between(before, y, interpolate);
     return on;
-  }
-
-  bool show(const StepReport& step) {
-    StepRow row = row_of(hierarchy_, dae_, conditions_, step);
-    row.H00 += row.carried * of_unit_;
-    row.probed = probed_at(hierarchy_.finest().grid, hierarchy_.finest().P, hierarchy_.finest().H, parameters_.probes);
-    if (observer_.measure) row.measured = observer_.measure(snapshot(step.T));
-    report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
-    report_.worst_oil_error = std::max(report_.worst_oil_error, row.oil.from_nowhere);
-    at_rest_ = rest_.reached(row);
-    return !observer_.row || observer_.row(row);
   }
 
   // Frames up to report_.T, whose state is `now`; `interpolate` writes an earlier state to between_.
@@ -216,23 +204,12 @@ class March {
     for (double T = next_frame(); T <= report_.T * (1.0 + rounding_of_time) && T <= parameters_.end; T = next_frame()) {
       interpolate(std::clamp(T, before, report_.T));
       dae_.set_state(T, drive(T), between_);
-      show_frame(T);
+      showing_.show_frame(T);
       moved = true;
     }
     if (moved) dae_.set_state(report_.T, drive(report_.T), now);
   }
-  double next_frame() const { return frames_ * parameters_.output_interval; }
-
-  void show_frame(double T) {
-    ++frames_;
-    last_frame_ = T;
-    if (!observer_.frame) return;
-    const multigrid::Level& level = hierarchy_.finest();
-    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta(),
-                     observer_.measure_fields ? observer_.measure_fields(snapshot(T)) : std::vector<core::Field>{}});
-  }
-
-  Snapshot snapshot(double T) const { return snapshot_of(hierarchy_, dae_, conditions_, T); }
+  double next_frame() const { return showing_.frames * parameters_.output_interval; }
 
   bool fail(const std::string& reason) {
     report_.reason = reason;
@@ -244,8 +221,7 @@ class March {
   }
 
   multigrid::Hierarchy& hierarchy_;
-  double of_unit_;    ///< line contact: shift of H00 by the unit of length in the logarithm, per load
-  double line_unit_;  ///< that unit of length
+  double line_unit_;  ///< of a line contact, in the logarithm
   const Conditions& conditions_;
   const Tuning& tuning_;
   const MarchParameters& parameters_;
@@ -254,11 +230,8 @@ class March {
   ContactDae dae_;
   DaeProblem problem_{};
   std::vector<double> between_;  ///< a state between two steps
-  MarchReport report_{};
-  Rest rest_;
-  bool at_rest_ = false;
-  int frames_ = 0;
-  double last_frame_ = -1.0;
+  Showing showing_;
+  MarchReport& report_ = showing_.report;
 };
 
 }  // namespace

@@ -24,6 +24,8 @@ struct MarchParameters {
   double output_interval = none;  ///< time between two frames; NaN: only the first and the last
   double stop_film = none;        ///< end when Hm falls to this value
   double stop_steady = none;      ///< end when Hc, Hm and P_max change by less than this, relative, in a time of 1
+  double period = none;           ///< of the conditions; NaN: they do not repeat
+  double stop_periodic = none;    ///< end when Hc and Hm change by less than this, relative, from period to period
   std::vector<Place> probes{};    ///< where P and H are recorded at every step
 };
 
@@ -33,6 +35,7 @@ struct StepRow {
   double Hc = 0.0, Hm = 0.0, Hm_X = 0.0, Hm_Y = 0.0, P_max = 0.0, H00 = 0.0;
   double load = 1.0;        ///< required load, over that of the scene
   double speed = 1.0;       ///< (u1 + u2)/2 over u_m
+  double radius = 1.0;      ///< R_x over that of the scene
   double load_error = 0.0;  ///< relative
   double velocity = 0.0;    ///< V = H00' of a moving body
   double carried = 1.0;     ///< load carried by the film, over that of the scene
@@ -42,6 +45,10 @@ struct StepRow {
   int newton_steps = 0;  ///< of a line contact, if the cycles do not converge
   int rejected = 0;      ///< attempts that failed the error test
   int not_solved = 0;    ///< attempts whose equations were not solved
+
+  double Hc_quasi = MarchParameters::none;  ///< of the quasi-steady state at T, if it is known
+  double Hm_quasi = MarchParameters::none;
+  double P_max_quasi = MarchParameters::none;
 
   OilInTime oil{};
   std::vector<Probed> probed{};    ///< one entry per probe
@@ -88,17 +95,20 @@ struct Observer {
   std::function<void(Checkpoint&& checkpoint)> checkpoint{};  ///< called when wanted, and when `row` returned false
 };
 
-enum class MarchEnd { end_time, film, steady, failed, interrupted };
+enum class MarchEnd { end_time, film, steady, periodic, failed, interrupted };
 
 /// Result of a time integration: why it ended, its counters and times.
 struct MarchReport {
   MarchEnd end = MarchEnd::end_time;
   double T = 0.0;
-  std::string reason{};  ///< why it failed
+  std::string reason{};  ///< why it failed; of quasi-steady states, why the first was not found
   int steps = 0, cycles = 0, newton_steps = 0, rejected = 0, not_solved = 0, restarts = 0;
   double worst_load_error = 0.0;
-  double worst_oil_error = 0.0;  ///< largest of all rows
-  double longest_step = 0.0;     ///< longest step allowed
+  double worst_oil_error = 0.0;                     ///< largest of all rows
+  double longest_step = 0.0;                        ///< longest step allowed
+  int periods = 0;                                  ///< whole periods
+  double change_of_period = MarchParameters::none;  ///< Periodic::change() at the end
+  int at_rest = 0, not_found = 0;  ///< quasi-steady states without entrainment, and those that were not found
   double seconds = 0.0;
   double seconds_of_surfaces = 0.0;  ///< of `seconds`, spent on the shape of the surfaces
   core::PartTimes times{};
@@ -108,7 +118,8 @@ struct MarchReport {
 /// the conditions at T = 0. Q = rho_bar H; where mass is conserved, Q <= rho_bar H is an unknown where P = 0
 /// (reynolds/content.hpp). IDA's BDF of variable order and step; multigrid cycles solve every implicit step. After a
 /// jump of load or speed the integration starts again behind a few very short steps.
-/// in: scene and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0; from: a checkpoint
+/// in: scene and its solution; conditions with load > 0 at all times and u1 + u2 > 0 at T = 0; if u1 + u2 may become
+/// negative, a grid with X_a = -X_b and a gap without a term X Y; from: a checkpoint
 /// of the same integration, which continues at order one with a shorter step and counts its report from zero.
 /// errors: core::SolverError if the state at T = 0 cannot be solved; core::FileError if the checkpoint belongs to
 /// another grid.

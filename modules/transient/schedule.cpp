@@ -117,7 +117,8 @@ double steepest(const Schedule& schedule, double end) {
 
 std::vector<double> corners(const Schedule& schedule, double end) {
   std::vector<double> times;
-  for (std::size_t k = 0; k < schedule.points.size(); ++k)
+  const std::size_t count = schedule.sampled_over > 0.0 ? 0 : schedule.points.size();
+  for (std::size_t k = 0; k < count; ++k)
     if (k == 0 || !jumps_between(schedule.points[k - 1], schedule.points[k])) times.push_back(schedule.points[k].T);
   if (schedule.wave) times.push_back(schedule.wave->start);
   std::ranges::sort(times);
@@ -129,6 +130,7 @@ std::vector<double> corners(const Schedule& schedule, double end) {
 
 std::vector<double> quarters(const Schedule& schedule, double end) {
   std::vector<double> times;
+  if (schedule.sampled_over > 0.0) return times;
   for (std::size_t k = 1; k < schedule.points.size(); ++k) {
     const Schedule::Point& a = schedule.points[k - 1];
     const Schedule::Point& b = schedule.points[k];
@@ -142,6 +144,7 @@ std::vector<double> quarters(const Schedule& schedule, double end) {
 }
 
 double resolving_step(const Schedule& schedule) {
+  if (schedule.sampled_over > 0.0) return schedule.sampled_over / parts_of_a_period;
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < schedule.points.size(); ++k) {
     const Schedule::Point& a = schedule.points[k - 1];

@@ -19,6 +19,8 @@ struct Schedule {
   };
   std::vector<Point> points{};  ///< T does not decrease; empty: 1 at all times
   std::optional<Wave> wave{};
+  /// > 0: the points sample a smooth course of this duration, so time steps need not end at its corners.
+  double sampled_over = 0.0;
 };
 
 /// Value at T; at a jump the value before it, so that a time step which ends there sees the old value.

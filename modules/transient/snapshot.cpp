@@ -16,12 +16,13 @@ StepRow row_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, con
   return {.T = step.T,
           .Hc = central_film(level),
           .Hm = Hm.value,
-          .Hm_X = level.grid.X(Hm.i),
+          .Hm_X = level.grid.X(dae.reversed() ? level.grid.nx - Hm.i : Hm.i),
           .Hm_Y = level.grid.Y(Hm.j),
           .P_max = core::maximum(level.P).value,
           .H00 = hierarchy.H00,
           .load = value(conditions.load, step.T),
           .speed = drive_at(conditions, step.T).speed,
+          .radius = value(conditions.radius, step.T),
           .load_error = balance.error,
           .velocity = dae.velocity(),
           .carried = balance.carried,
@@ -35,13 +36,13 @@ StepRow row_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, con
 }
 
 Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions,
-                     double T) {
+                     double T, const core::Field& P, const core::Field& H) {
   const multigrid::Level& level = hierarchy.levels.back();
   const std::optional<reynolds::FarField>& far_field = hierarchy.problem.far_field;
   return {.T = T,
           .grid = level.grid,
-          .P = level.P,
-          .H = level.H,
+          .P = P,
+          .H = H,
           .carried = dae.load_balance().carried,
           .u1 = value(conditions.u1, T),
           .u2 = value(conditions.u2, T),

@@ -14,6 +14,6 @@ StepRow row_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, con
 
 /// The state at T, which the hierarchy holds.
 Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& dae, const Conditions& conditions,
-                     double T);
+                     double T, const core::Field& P, const core::Field& H);
 
 }  // namespace ehl::transient

@@ -6,6 +6,7 @@
 
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
+#include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "transient/keys.hpp"
 
@@ -13,14 +14,25 @@ namespace ehl::program {
 namespace numbers {
 namespace {
 
+// The extreme of the rows whose value is known.
+double extreme(const TransientResult& run, double transient::StepRow::*value, double (*of_two)(double, double)) {
+  double found = core::unknown;
+  for (const transient::StepRow& row : run.rows) found = of_two(found, row.*value);
+  return found;
+}
 const TransientResult& in_time(Of s) { return *s.computed.in_time; }
 const transient::MarchReport& march(Of s) { return in_time(s).report; }
+bool repeats(Of s) { return !std::isnan(s.input.transient->parameters.period); }
+bool has_states(Of s) { return in_time(s).states.has_value(); }
 bool counts_oil_in_time(Of s) { return s.input.transient->conditions.conserves_mass; }
 
 Group transient_numbers() {
   Group group{.name = "transient", .prefix = "transient_"};
   group.on = [](Of s) { return s.computed.in_time.has_value(); };
   const auto count = [](int transient::MarchReport::*part) { return [part](Of s) { return march(s).*part; }; };
+  const auto of_states = [](int transient::MarchReport::*part) {
+    return [part](Of s) { return (*in_time(s).states).*part; };
+  };
   using R = transient::MarchReport;
   using transient::StepRow;
   std::vector<Number>& list = group.numbers;
@@ -32,9 +44,9 @@ Group transient_numbers() {
           number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
           number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
           number("least_Hm", "a^2/R", "minimum film of all times",
-                 [](Of s) { return std::ranges::min(in_time(s).rows, {}, &StepRow::Hm).Hm; }),
+                 [](Of s) { return extreme(in_time(s), &StepRow::Hm, std::fmin); }),
           number("largest_P_max", "p_h", "highest pressure of all times",
-                 [](Of s) { return std::ranges::max(in_time(s).rows, {}, &StepRow::P_max).P_max; }),
+                 [](Of s) { return extreme(in_time(s), &StepRow::P_max, std::fmax); }),
           number("steps", "-", "number of time steps", count(&R::steps)),
           number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
           number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),
@@ -47,7 +59,14 @@ Group transient_numbers() {
           number("worst_oil_error", "-", "largest share of oil from nowhere in a step", only_if(counts_oil_in_time),
                  [](Of s) { return march(s).worst_oil_error; }),
           number("oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
-                 only_if(counts_oil_in_time), [](Of s) { return in_time(s).rows.back().oil.lost; })};
+                 only_if(counts_oil_in_time), [](Of s) { return in_time(s).rows.back().oil.lost; }),
+          number("periods", "-", "whole periods of the cycle", only_if(repeats), count(&R::periods)),
+          number("change_of_period", "-", "largest relative change of Hc and Hm between the last two periods",
+                 only_if(repeats), [](Of s) { return march(s).change_of_period; }),
+          number("states_at_rest", "-", "quasi-steady states without entrainment, which have no film",
+                 only_if(has_states), of_states(&R::at_rest)),
+          number("states_not_found", "-", "quasi-steady states that were not found", only_if(has_states),
+                 of_states(&R::not_found))};
   // The file contains how the run ended; the other numbers follow from its table of steps.
   for (Number& one : list) one.in_file = one.name == id::completed || one.name == id::ended;
   return group;
@@ -65,8 +84,10 @@ double step_of(const transient::Input& transient) {
 
 std::string what(const Case& input) {
   std::vector<std::string> varying;
-  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave", "supply", "supply_wave"})
+  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave", "supply", "supply_wave", "cycle"})
     if (deck::given(input.deck, "transient", key)) varying.push_back(key);
+  if (!input.transient->states.empty() && input.transient->mode == transient::Mode::quasi_steady)
+    return fmt::format("{} quasi-steady states of the cycle", input.transient->states.size());
   return fmt::format("in time to {:.4g} a/u_m, steps of at most {:.3g}; varying: ", input.transient->parameters.end,
                      step_of(*input.transient)) +
          (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", ")) +
@@ -90,8 +111,8 @@ double expected_steps(const Case& input) {
   constexpr double more_of_rough = 5.0;  // for measured heights, with more cycles per step
   const transient::Conditions& conditions = input.transient->conditions;
   const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
-  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2) ||
-                      varies(conditions.supply.factor);
+  const bool driven = conditions.body || std::ranges::any_of(transient::schedules_of(conditions),
+                                                             [&](const auto* schedule) { return varies(*schedule); });
   return input.transient->parameters.end / step_of(*input.transient) *
          (is_rough(input) ? more_of_rough
           : driven        ? shorter_steps

@@ -196,8 +196,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
     scene.accuracy = steady::read_accuracy(deck);
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
-    scene.far_field = steady::read_far_field(deck, scene.tuning, groups.shape, steepest_load(deck, result.physics),
-                                             deck::called_for(deck, "body"));
+    const transient::FarDemands far = far_demands(deck, result.physics);
+    scene.far_field = steady::read_far_field(deck, scene.tuning, groups.shape, far.steepest_load, far.why_zero);
     steady::choose_grid(deck, scene.tuning, scene.contact, scene.wedge,
                         result.roller ? roller::bearing(*result.roller).widest : 1.0);
   }

@@ -97,7 +97,10 @@ void settle_sliding_at_start(Case& input) {
   if (std::abs(at_start - input.physics.srr) <= rounding) return;
   const deck::Part motion{input.deck, "motion"};
   if (input.physics.si || motion.given("srr"))
-    deck::complain(input.deck, "transient", deck::given(input.deck, "transient", "u1") ? "u1" : "u2",
+    deck::complain(input.deck, "transient",
+                   deck::given(input.deck, "transient", "cycle") ? "cycle"
+                   : deck::given(input.deck, "transient", "u1")  ? "u1"
+                                                                 : "u2",
                    fmt::format("gives u1 - u2 = {:.6g} u_m at time 0, but [motion] gives {:.6g} u_m, and the run "
                                "starts from that steady contact: let both agree",
                                at_start, input.physics.srr));

@@ -22,7 +22,12 @@ struct RowKind {
   bool oil = false;     ///< oil mass is conserved
   bool line = false;    ///< for a line contact the oil is counted per length
   bool newton = false;  ///< Newton steps are counted separately; files of earlier versions lack this
+  bool radius = false;  ///< R_x varies
+  bool quasi = false;   ///< quasi-steady films beside the run in time
 };
+
+/// Unknown where there is no steady state.
+constexpr const char* quasi_columns[] = {"Hc_quasi_steady", "Hm_quasi_steady", "P_max_quasi_steady"};
 
 // The columns of /transient, in order. in: the probes; the numbers that effects add.
 std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes,
@@ -38,6 +43,13 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
                                        column<StepRow>(id::step_load, &StepRow::load),
                                        column<StepRow>(id::step_speed, &StepRow::speed),
                                        column<StepRow>(id::load_error, &StepRow::load_error)};
+  if (kind.radius) columns.push_back({"radius_x", "-", "R_x over that of the contact", &StepRow::radius});
+  if (kind.quasi) {
+    columns.push_back({quasi_columns[0], "a^2/R", "central film of the steady state at this time", &StepRow::Hc_quasi});
+    columns.push_back({quasi_columns[1], "a^2/R", "minimum film of the steady state at this time", &StepRow::Hm_quasi});
+    columns.push_back(
+        {quasi_columns[2], "p_h", "highest pressure of the steady state at this time", &StepRow::P_max_quasi});
+  }
   if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
@@ -131,10 +143,15 @@ std::vector<StepRow> read_rows(const results::ResultFile& file, const std::vecto
     row.probed.resize(probes.size());
     row.measured.resize(added.size());
   }
-  for (const Column<StepRow>& column : step_columns(
-           {.body = there("velocity"), .oil = there(id::oil_in), .newton = there("newton_steps")}, probes, added)) {
+  for (const Column<StepRow>& column : step_columns({.body = there("velocity"),
+                                       .oil = there(id::oil_in),
+                                       .newton = there("newton_steps"),
+                                       .radius = there("radius_x"),
+                                       .quasi = there(quasi_columns[0])},
+                                                    probes, added)) {
     const std::string name = "/transient/" + column.name;
-    const bool may_be_unknown = std::ranges::find(added, column.name) != added.end();
+    const bool may_be_unknown = std::ranges::find(added, column.name) != added.end() ||
+                                std::ranges::find(quasi_columns, column.name) != std::end(quasi_columns);
     const std::vector<double> values = may_be_unknown ? known_or_credible(file, name) : credible(file, name);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -171,7 +188,9 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
                                     step_columns({.body = march.conditions.body.has_value(),
                                                   .oil = march.conditions.conserves_mass,
                                                   .line = line,
-                                                  .newton = line},
+                                                  .newton = line,
+                                                  .radius = !march.conditions.radius.points.empty(),
+                                                  .quasi = march.mode == transient::Mode::both},
                                                  march.parameters.probes, added.numbers),
                                     result.rows));
   content.frames.group = "/transient/frames";

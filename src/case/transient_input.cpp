@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/constants.hpp"
 
 namespace ehl::program {
@@ -25,9 +27,34 @@ transient::Scales scales_of(const Physics& physics) {
 
 }  // namespace
 
-double steepest_load(const deck::Deck& deck, const Physics& physics) {
-  return deck::called_for(deck, "transient") ? transient::steepest_load(deck, scales_of(physics)) : 0.0;
+transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics) {
+  if (!deck::called_for(deck, "transient")) return {};
+  transient::FarDemands demands = transient::far_demands(deck, scales_of(physics));
+  // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
+  if (demands.why_zero.empty() && deck::called_for(deck, "body")) demands.why_zero = "a body moves";
+  return demands;
 }
+
+namespace {
+
+// Refuses what is not available if the radius varies or the direction of the entrainment reverses.
+void check_geometry(deck::Deck& deck, const Physics& physics, const transient::Input& input) {
+  const bool bends = !input.conditions.radius.points.empty();
+  const bool reverses = transient::reversal(input.conditions, input.parameters.end) <= input.parameters.end;
+  if (!bends && !reverses) return;
+  const deck::Part transient{deck, "transient"}, domain{deck, "domain"};
+  const std::string what = bends ? "a radius_x that varies" : "a reversal of the motion";
+  if (contact::gap(physics.groups.shape).oblique())
+    transient.complain(transient.given("cycle") ? "cycle" : "u1",
+                       what + " is not available for an ellipse at an angle to the motion: set [contact] angle = 0");
+  if (deck::called_for(deck, "thermal"))
+    transient.complain(transient.given("cycle") ? "cycle" : "u1",
+                       what + " is not available with [thermal]: remove one of them");
+  if (domain.given("far_field") && domain.word("far_field") == "closed")
+    domain.complain("far_field", "closed is not available with " + what + ": set zero, or remove it");
+}
+
+}  // namespace
 
 std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
                                                 const Physics& physics, const SurfaceInput& surfaces,
@@ -38,7 +65,14 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
   transient::Conditions carried{.tuning = tuning};
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
-  return transient::read(deck, scales_of(physics), carried, grid);
+  transient::Input input = transient::read(deck, scales_of(physics), carried, grid);
+  if (std::isfinite(input.parameters.end)) check_geometry(deck, physics, input);
+  if (input.mode == transient::Mode::quasi_steady)
+    for (const char* section : {"friction", "subsurface"})
+      if (deck::called_for(deck, section))
+        deck::complain(deck, "transient", "mode",
+                       std::string("quasi_steady computes films only: set both, or remove [") + section + "]");
+  return input;
 }
 
 namespace {

@@ -16,8 +16,8 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
                                                 const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid);
 
-/// The steepest slope of the deck's load in time, in units of u_m/a; 0 if the load is constant.
-double steepest_load(const deck::Deck& deck, const Physics& physics);
+/// What the deck's drive in time means for the far field.
+transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics);
 
 /// X of the centre of a surface's relief at time 0 and at the end.
 struct Travel {

@@ -10,8 +10,10 @@
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
 #include "case/transient_input.hpp"
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "transient/quasi_steady.hpp"
 
 namespace ehl::program {
 namespace {
@@ -59,8 +61,14 @@ struct Printed {
 // One line with the smallest and largest value over time. in: value: the number of a row.
 template <class Value>
 std::string range_line(const Case& input, const Printed& number, const std::vector<StepRow>& rows, Value value) {
-  const StepRow& low = *std::ranges::min_element(rows, {}, value);
-  const StepRow& high = *std::ranges::max_element(rows, {}, value);
+  const auto known = [&](const StepRow& row) { return !std::isnan(std::invoke(value, row)); };
+  const auto of_known = [&](double unknown) {
+    return [&, unknown](const StepRow& row) {
+      return known(row) ? static_cast<double>(std::invoke(value, row)) : unknown;
+    };
+  };
+  const StepRow& low = *std::ranges::min_element(rows, {}, of_known(HUGE_VAL));
+  const StepRow& high = *std::ranges::max_element(rows, {}, of_known(-HUGE_VAL));
   const double least = std::invoke(value, low), most = std::invoke(value, high), last = std::invoke(value, rows.back());
   const SiUnit time = time_unit(input);
   if (!input.physics.si)
@@ -121,11 +129,35 @@ std::string how_it_ended(const transient::MarchReport& report) {
     case MarchEnd::end_time: return "at the end time";
     case MarchEnd::film: return "because the film fell to stop_film";
     case MarchEnd::steady: return "because it was steady to stop_steady";
+    case MarchEnd::periodic: return "because it was periodic to stop_periodic";
     case MarchEnd::interrupted: return "interrupted";
     case MarchEnd::failed: return "FAILED: " + report.reason;
   }
   return "";
 }
+
+namespace {
+
+// The value of a quasi-steady state at T, linear between the states; NaN if one of both is not known.
+double between(const std::vector<StepRow>& states, double T, double StepRow::*value) {
+  const auto after = std::ranges::lower_bound(states, T, {}, &StepRow::T);
+  if (after == states.end()) return T > states.back().T ? core::unknown : states.back().*value;
+  if (after == states.begin() || after->T == T) return *after.*value;
+  const StepRow& before = after[-1];
+  const double share = (T - before.T) / (after->T - before.T);
+  return before.*value + share * (*after.*value - before.*value);
+}
+
+// Adds the quasi-steady film to a row of the run in time. in: the states of the first period.
+void add_state(const std::vector<StepRow>& states, double period, StepRow& row) {
+  if (states.empty()) return;
+  const double phase = std::isnan(period) ? std::min(row.T, states.back().T) : std::fmod(row.T, period);
+  row.Hc_quasi = between(states, phase, &StepRow::Hc);
+  row.Hm_quasi = between(states, phase, &StepRow::Hm);
+  row.P_max_quasi = between(states, phase, &StepRow::P_max);
+}
+
+}  // namespace
 
 TransientResult run_transient(const Case& input, const steady::Solution& start, RunSettings& settings) {
   TransientResult result = std::move(settings.before);
@@ -138,10 +170,20 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   double saved = core::now();
   const InSteps added = in_steps_of(input, &result.seconds);
   result.measured = added.numbers;
+  std::vector<StepRow> states;
+  const auto show_state = [&](const StepRow& row) {
+    states.push_back(row);
+    return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
+  };
+  if (march.mode == transient::Mode::both)
+    result.states =
+        transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states, {.row = show_state});
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
+            result.rows.back().measured.resize(added.numbers.size(), core::unknown);  // a row may have no state
+            add_state(states, march.parameters.period, result.rows.back());
             return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
           },
       .frame =
@@ -160,6 +202,13 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
               settings.save([&](results::Content& content) { add_transient(input, result, content); });
             saved = core::now();
           }};
+  if (march.mode == transient::Mode::quasi_steady) {
+    result.report = transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states,
+                                            {.row = observer.row, .frame = observer.frame});
+    result.states = result.report;
+    total(result);
+    return result;
+  }
   result.report =
       transient::march(input.scene, start, march.conditions, march.parameters, observer, from ? &*from : nullptr);
   if (result.report.end != MarchEnd::interrupted) result.checkpoint.reset();
@@ -179,10 +228,40 @@ std::string why_incomplete(const std::optional<TransientResult>& result) {
              : fmt::format("the transient ended at time {:g} a/u_m: {}", report.T, report.reason);
 }
 
+namespace {
+
+// The lines about a cycle: its scales, its periods, and its quasi-steady states.
+std::string cycle_lines(const Case& input, const TransientResult& result) {
+  const transient::Input& march = *input.transient;
+  if (!deck::given(input.deck, "transient", "cycle")) return "";
+  std::string text =
+      fmt::format("  scales     a, p_h and u_m of the state of [contact] and [motion], M = {:.4g}, L = {:.4g}\n",
+                  input.physics.groups.M, input.physics.groups.L);
+  const SiUnit time = time_unit(input);
+  if (!std::isnan(march.parameters.period) && march.mode != transient::Mode::quasi_steady)
+    text += fmt::format(
+        "  period     {:.5g} {}; {} whole periods{}\n", march.parameters.period * time.factor, time.name,
+        result.report.periods,
+        std::isnan(result.report.change_of_period)
+            ? ""
+            : fmt::format("; Hc and Hm of the last two differ by at most {:.1e}", result.report.change_of_period));
+  if (!result.states) return text;
+  const transient::MarchReport& states = *result.states;
+  return text + fmt::format(
+                    "  states     {} quasi-steady states; {} without entrainment and so without a film, {} not "
+                    "found{}; {:.3f} s\n",
+                    states.steps, states.at_rest, states.not_found,
+                    states.reason.empty() ? "" : " (the first: " + states.reason + ")", states.seconds);
+}
+
+}  // namespace
+
 std::string transient_summary(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
   std::string text = "transient    " + time_text(input, report.T) + ", ended " + how_it_ended(report) + "\n";
   text += range_lines(input, result.rows);
+  text += cycle_lines(input, result);
+  if (input.transient->mode == transient::Mode::quasi_steady) return text;
   const int attempts = report.steps + report.rejected + report.not_solved;
   const std::string newton =
       report.newton_steps > 0 ? fmt::format(", {} steps of Newton's method", report.newton_steps) : "";

@@ -18,6 +18,7 @@ struct TransientResult {
   std::vector<transient::StepRow> rows{};
   std::vector<transient::Frame> frames{};
   transient::MarchReport report{};
+  std::optional<transient::MarchReport> states{};  ///< of the quasi-steady states, if the mode has any
   std::vector<std::string> measured{};      ///< what the effects add to the rows, in the order of StepRow::measured
   std::map<std::string, double> seconds{};  ///< of the effects that compute at steps, by name; part of report.seconds
   std::optional<transient::Checkpoint> checkpoint{};  ///< where an incomplete run continues; else empty

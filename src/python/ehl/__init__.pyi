@@ -509,7 +509,7 @@ class TransientKeys(TypedDict, total=False):
     """Oscillating load, 'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period). (only with [transient] end_time)
     default: none; allowed: any text"""
     u1: str | os.PathLike[str]
-    """Speed of surface 1 over the entrainment speed u_m of [motion] (of M and L without [motion]), written like load. The film moves with (u1 + u2)/2, which must not be negative. (only with [transient] end_time)
+    """Speed of surface 1 over the entrainment speed u_m of [motion] (of M and L without [motion]), written like load. The film moves with (u1 + u2)/2. Where that turns negative the oil enters at positive x; the domain must then extend equally far to both sides. (only with [transient] end_time)
     default: constant: from [motion], else 1; allowed: any text"""
     u1_wave: str | os.PathLike[str]
     """Oscillation of u1, written like load_wave. (only with [transient] end_time)
@@ -526,12 +526,24 @@ class TransientKeys(TypedDict, total=False):
     supply_wave: str | os.PathLike[str]
     """Oscillation of supply, written like load_wave. (only with [transient] end_time)
     default: none; allowed: any text"""
+    cycle: str | os.PathLike[str]
+    """Text file with the columns t, radius_x, load, u1 and u2, of which all but t may be missing: what is missing is constant, or has its own key. Linear between the rows. In SI the columns are in m, N (line contacts: N/m) and m/s, unless the heading names other units; else they are relative to [contact] and [motion]. The scales a, p_h and u_m of the results remain those of [contact] and [motion]. (only with [transient] end_time)
+    default: none; allowed: any text"""
+    cycle_repeats: Literal["on", "off"] | bool
+    """on: the last row repeats the first one, and the cycle begins again there. off: the table is run through once, and its last row remains. (only with [transient] cycle)
+    default: on; allowed: one of on, off"""
+    mode: Literal["in_time", "quasi_steady", "both"]
+    """in_time: the run in time. quasi_steady: the steady state under the load, radius and speed of each row of the table by itself, as the rows of the same table of results. both: the run in time, with the quasi-steady films as columns. Where the speed is 0 there is no steady film, and no number. (only with [transient] cycle)
+    default: in_time; allowed: one of in_time, quasi_steady, both"""
     stop_film: float | str
     """The run ends when the minimum film falls to this value, H = hR/a^2. (only with [transient] end_time)
     default: none; allowed: a number > 0"""
     stop_steady: float | str
     """The run ends when Hc, Hm and P_max have changed by less than this relative value during a/u_m. (only with [transient] end_time)
     default: none; allowed: a number >= 1e-12 and <= 0.1"""
+    stop_periodic: float | str
+    """The run ends after a period in which Hc and Hm differ from those of the period before, at the same phase, by less than this relative value. The report states the difference in any case. (only with [transient] cycle)
+    default: none; allowed: a number >= 1e-08 and <= 0.1"""
 
 class BodyKeys(TypedDict, total=False):
     """Equation of motion of a body, instead of a prescribed load. Used only with [transient]."""

@@ -225,4 +225,13 @@ BOOST_AUTO_TEST_CASE(resolving_steps) {
   BOOST_TEST(resolving_step({.points = {{0, 1}, {0.4, 2}}, .wave = Schedule::Wave{0.3, 4.0, 1.0}}) == 0.1);
 }
 
+// Rows of a table that sample a smooth course are no corners; a time given twice remains a jump.
+BOOST_AUTO_TEST_CASE(a_sampled_course_has_jumps_only) {
+  const Schedule sampled{.points = {{0, 1}, {1, 2}, {1.01, 1.5}, {2, 1}, {2, 3}, {4, 1}}, .sampled_over = 4.0};
+  BOOST_TEST(corners(sampled, 4.0).empty());
+  BOOST_TEST(quarters(sampled, 4.0).empty());
+  BOOST_TEST(jumps(sampled, 4.0) == std::vector{2.0});
+  BOOST_TEST(resolving_step(sampled) == 4.0 / 20.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,166 @@
+#include "transient/quasi_steady.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "core/timer.hpp"
+#include "rheology/laws.hpp"
+#include "steady/solve.hpp"
+#include "transient/nodes.hpp"
+
+namespace ehl::transient {
+namespace {
+
+constexpr double unknown = MarchParameters::none;
+
+// M at a time: W (2U)^(-3/4), in a line contact W (2U)^(-1/2). in: radius, R_x over that of the scene.
+double moes_load(const steady::Scene& scene, const Drive& drive, double radius) {
+  const double speed = std::abs(drive.speed);
+  const double M = scene.contact.M * drive.load;
+  return contact::line(scene.contact.shape) ? M / std::sqrt(speed * radius)
+                                            : M * std::pow(speed, -0.75) * std::pow(radius, -1.25);
+}
+
+// Film between rigid bodies without piezoviscosity, in a^2/R of the scene: h/R (2U)^(-1/2) depends on M alone.
+double rigid_film(const steady::Scene& scene, const Drive& drive, double radius) {
+  constexpr double exact_of_line = 2.45;
+  const contact::Ellipse& shape = scene.contact.shape;
+  const double M = moes_load(scene, drive, radius);
+  const double H_moes = contact::line(shape)
+                            ? exact_of_line / M
+                            : contact::asymptotes(M, 0.0, radius * shape.radius_ratio).rigid_isoviscous;
+  return contact::H_from_moes_units(H_moes, scene.contact.M, shape) * std::sqrt(std::abs(drive.speed) * radius);
+}
+
+StepRow row_without_state(const Drive& drive, double T, double radius, std::size_t probes) {
+  return {.T = T,
+          .Hc = unknown,
+          .Hm = unknown,
+          .Hm_X = unknown,
+          .Hm_Y = unknown,
+          .P_max = unknown,
+          .H00 = unknown,
+          .load = drive.load,
+          .speed = drive.speed,
+          .radius = radius,
+          .carried = unknown,
+          .probed = std::vector<Probed>(probes, {unknown, unknown})};
+}
+
+// The fields of a state in the units and coordinates of the given scene.
+Frame frame_of(const StateScene& state, const steady::Solution& found, const Drive& drive, double T) {
+  Frame frame{.T = T, .P = found.P, .H = found.H, .theta = found.theta};
+  for (int i = 0; i < frame.P.nodes_x(); ++i)
+    for (int j = 0; j < frame.P.nodes_y(); ++j) {
+      frame.P(i, j) *= state.pressure;
+      frame.H(i, j) *= state.film;
+    }
+  if (drive.speed < 0.0)
+    for (core::Field* field : {&frame.P, &frame.H, &frame.theta})
+      if (field->nodes_x() > 0) mirror_in_X(state.scene.grid, *field);
+  return frame;
+}
+
+}  // namespace
+
+StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, double T) {
+  const Drive drive = drive_at(conditions, T);
+  const double radius = value(conditions.radius, T);
+  const contact::Ellipse& before = scene.contact.shape;
+  StateScene state{.scene = scene};
+  contact::Ellipse shape = before;
+  if (contact::line(before)) {
+    state.length = std::sqrt(drive.load * radius);
+    state.pressure = std::sqrt(drive.load / radius);
+  } else {
+    if (radius != 1.0) shape = contact::ellipse(radius * before.radius_ratio);
+    state.length = std::cbrt(drive.load * radius) * shape.a / before.a;
+    state.pressure = std::cbrt(drive.load / (radius * radius)) * shape.p_h / before.p_h;
+  }
+  state.film = state.length * state.length / radius;
+  steady::Scene& own = state.scene;
+  const double M = moes_load(scene, drive, radius);
+  const double L = scene.contact.L * std::pow(std::abs(drive.speed) / radius, 0.25);
+  own.contact = steady::scales_of(M, L, shape);
+  own.lambda = contact::from_moes(M, L, shape).lambda;
+  own.viscosity = rheology::rescaled(scene.viscosity, state.pressure);
+  own.density = rheology::rescaled(scene.density, state.pressure);
+  if (scene.thinning) {
+    own.thinning = rheology::rescaled(*scene.thinning, state.pressure);
+    own.thinning->k = conditions.thinning_k * drive.sliding / state.film;
+  }
+  for (double* bound : {&own.grid.X_a, &own.grid.X_b}) *bound /= state.length;
+  if (!own.grid.line)
+    for (double* bound : {&own.grid.Y_a, &own.grid.Y_b}) *bound /= state.length;
+  if (scene.supply)
+    own.supply = [supply = scene.supply, s = state.length, film = state.film, share = drive.supply](double Y) {
+      return share * supply(s * Y) / film;
+    };
+  own.observer = {};
+  own.adjoint_errors = own.error_maps = false;
+  return state;
+}
+
+namespace {
+
+// Solves the state at T and writes it to the row. returns why it was not found; empty if it was.
+std::string solve_state(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
+                        const Observer& observer, StepRow& row) {
+  const Drive drive = drive_at(conditions, row.T);
+  const StateScene state = scene_at(scene, conditions, row.T);
+  steady::Solution found;
+  try {
+    found = steady::solve(state.scene);
+  } catch (const core::SolverError& error) {
+    return error.what();
+  }
+  if (!found.converged) return found.failed_check;
+  Frame frame = frame_of(state, found, drive, row.T);
+  const core::Location Hm = core::minimum(frame.H);
+  row.Hc = found.levels.back().Hc * state.film;
+  row.Hm = Hm.value;
+  row.Hm_X = scene.grid.X(Hm.i);
+  row.Hm_Y = scene.grid.Y(Hm.j);
+  row.P_max = core::maximum(frame.P).value;
+  row.carried = drive.load;
+  row.probed = probed_at(scene.grid, frame.P, frame.H, parameters.probes);
+  if (observer.frame) observer.frame(std::move(frame));
+  return "";
+}
+
+}  // namespace
+
+MarchReport quasi_steady(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
+                         const std::vector<double>& times, const Observer& observer) {
+  constexpr double rigid = 0.1;  // M of a contact whose bodies are practically rigid
+  const double began = core::now();
+  MarchReport report;
+  for (const double T : times) {
+    report.T = T;
+    ++report.steps;
+    const Drive drive = drive_at(conditions, T);
+    const double radius = value(conditions.radius, T);
+    StepRow row = row_without_state(drive, T, radius, parameters.probes.size());
+    if (drive.speed == 0.0) {
+      ++report.at_rest;
+    } else if (moes_load(scene, drive, radius) < rigid) {
+      row.Hc = row.Hm = rigid_film(scene, drive, radius);
+    } else if (const std::string reason = solve_state(scene, conditions, parameters, observer, row); !reason.empty()) {
+      ++report.not_found;
+      if (report.reason.empty()) report.reason = reason;
+    }
+    if (observer.row && !observer.row(row)) {
+      report.end = MarchEnd::interrupted;
+      break;
+    }
+  }
+  report.seconds = core::now() - began;
+  return report;
+}
+
+}  // namespace ehl::transient
