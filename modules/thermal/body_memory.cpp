@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,22 @@ Weights weights_of(double x) {
 }
 
 }  // namespace
+
+// Integrated by parts: w_m is the difference of the means of 2 sqrt(ago) over the cells next to node i - m.
+std::vector<double> passing_weights(int n, double hx, const std::function<double(double)>& ago) {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  const auto g = [&](double d) { return 2.0 * std::sqrt(ago(d)); };
+  std::vector<double> weights(static_cast<std::size_t>(n + 1));
+  double before = 0.0;
+  for (int m = 0; m <= n; ++m) {
+    // In the first cell g starts as a root, and s^2 = d/hx makes it smooth.
+    const double mean = m == 0 ? Gauss::integrate([&](double s) { return 2.0 * s * g(hx * s * s); }, 0.0, 1.0)
+                               : Gauss::integrate([&](double s) { return g(hx * (m + s)); }, 0.0, 1.0);
+    weights[static_cast<std::size_t>(m)] = mean - before;
+    before = mean;
+  }
+  return weights;
+}
 
 BodyMemory::BodyMemory(const core::Patch& patch, double factor, ExponentialSum kernel, int threads)
     : patch_(patch),

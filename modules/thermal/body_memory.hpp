@@ -8,12 +8,19 @@
 // enter by a sum of exponentials, each of which obeys a recursion at nodes that move with the body; nothing that is
 // remembered is interpolated again. Material that enters the domain has no history.
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "core/field.hpp"
 #include "thermal/exponential_sum.hpp"
 
 namespace ehl::thermal {
+
+/// Weights of a flux that rests while the material passes at a varying speed,
+///   int q dT'/sqrt(T - T') = sum_m w_m q_{i-m},   m = 0..n,
+/// for q linear between nodes. At a constant speed they are those of line_weights(), but for a factor. in: ago(d), the
+/// time since the material was displaced by d less than now, d >= 0; it grows with d.
+std::vector<double> passing_weights(int n, double hx, const std::function<double(double)>& ago);
 
 /// The history of the flux into a body since T = 0.
 class BodyMemory {

@@ -77,6 +77,7 @@ class FilmColumns {
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
   Lanes fresh_share(int batch) const;
+  void add_change_of_speed(const std::vector<double>& passing, BodyInTime& body) const;
   void take_rate_of_pressure();
   void add_storage(int batch, int i, Worker& worker) const;
   Lanes stored(int batch, int i, const Worker& worker) const;

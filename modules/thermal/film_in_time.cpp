@@ -28,8 +28,9 @@ void FilmColumns::begin_in_time(double end) {
     core::set_nodes(patch, made.theta, [&](int i, int j) { return theta(i, j, k); });
     if (body.resistance == 0.0) return made;
     // Line sources in time, dX' = u dT'.
-    const double factor = body.resistance / std::sqrt(std::numbers::pi * body.Pe / u);
-    made.memory.emplace(patch, factor, inverse_root(shortest_step, std::max(1.0, end)), setup_.threads);
+    made.factor = body.resistance / std::sqrt(std::numbers::pi * body.Pe / u);
+    made.passing = passing_weights(patch.nx, patch.hx(), [u](double d) { return d / u; });
+    made.memory.emplace(patch, made.factor, inverse_root(shortest_step, std::max(1.0, end)), setup_.threads);
     return made;
   };
   in_time_.emplace(FilmInTime{.body_1 = begin(setup_.body_1, u_1_, q_1_, nodes_.intervals),
@@ -39,6 +40,17 @@ void FilmColumns::begin_in_time(double end) {
                               .P_last = P_,
                               .P_before = P_,
                               .P_T = core::Field(patch)});
+}
+
+// Adds what the steady flux of T = 0 causes at other speeds than those of T = 0. in: passing_weights().
+void FilmColumns::add_change_of_speed(const std::vector<double>& passing, BodyInTime& body) const {
+  if (passing.empty() || !body.memory) return;
+  std::vector<double> change(passing.size());
+  for (std::size_t m = 0; m < passing.size(); ++m) change[m] = body.factor * (passing[m] - body.passing[m]);
+  for (int i = 0; i <= setup_.patch.nx; ++i)
+    for (int m = 0; m <= i; ++m)
+      for (int j = 0; j < setup_.patch.nodes_y(); ++j)
+        body.history(i, j) += change[static_cast<std::size_t>(m)] * body.q(i - m, j);
 }
 
 void FilmColumns::begin_step(const TimeStep& step) {
@@ -57,6 +69,8 @@ void FilmColumns::begin_step(const TimeStep& step) {
   for (std::size_t k = 0; k < theta_.size(); ++k) theta_[k] = time.last[k] + ratio * (time.last[k] - time.before[k]);
   if (time.body_1.memory) time.body_1.memory->look(step.length, step.moved_1, time.body_1.history);
   if (time.body_2.memory) time.body_2.memory->look(step.length, step.moved_2, time.body_2.history);
+  add_change_of_speed(step.passing_1, time.body_1);
+  add_change_of_speed(step.passing_2, time.body_2);
 }
 
 void FilmColumns::accept_step() {

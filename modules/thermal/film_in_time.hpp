@@ -14,6 +14,8 @@ struct BodyInTime {
   core::Field theta, q;              ///< of the steady surface at T = 0
   std::optional<BodyMemory> memory;  ///< of q less its steady value; none for a body of given temperature
   core::Field history;               ///< what earlier fluxes add at the end of the step
+  double factor = 0.0;               ///< of the integral over the flux in time
+  std::vector<double> passing{};     ///< passing_weights() at T = 0
 
   std::size_t bytes() const { return memory ? memory->bytes() : 0; }
 };

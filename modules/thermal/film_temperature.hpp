@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/field.hpp"
 #include "rheology/flow_thinning.hpp"
@@ -81,6 +82,8 @@ struct TimeStep {
   double u_1 = 1.0, u_2 = 1.0;          ///< speeds at its end, over u_m, > 0
   double thinning_k = 0.0;              ///< k of the shear thinning at these speeds
   double moved_1 = 0.0, moved_2 = 0.0;  ///< how far the bodies move in it, in a
+  /// passing_weights() of the bodies at its end, 0..nx (body_memory.hpp); empty: the speed of the body is constant.
+  std::vector<double> passing_1{}, passing_2{};
 };
 
 class FilmColumns;
@@ -113,8 +116,7 @@ class FilmTemperature {
 
   /// Begins a run in time from the present steady state, which should be converged: what is left of its iteration
   /// appears as a change in time. The surfaces keep their steady temperatures, to which the memory of the bodies adds
-  /// what the change of the heat fluxes causes (body_memory.hpp). in: the largest time. limits: the surfaces keep the
-  /// speeds of the setup.
+  /// what the change of the heat fluxes, and of the speeds, causes (body_memory.hpp). in: the largest time.
   void begin_in_time(double end);
   /// Begins a step after the last one that was accepted, or begins it again. take() and sweep() then solve the energy
   /// equation with its storage term at the end of the step, by BDF2 (BDF1 in the first step). Temperatures of

@@ -135,4 +135,37 @@ BOOST_AUTO_TEST_CASE(a_flux_that_rests_gives_the_steady_line_sources) {
   BOOST_TEST(worst <= 5e-3 * largest);
 }
 
+// A resting flux at a constant speed, and at the speed 1 + T from T = 0 on: there the material now at X was at X - d at
+// the time T' with d = (T - T') + (T^2 - T'^2)/2, and the integral is that of q(X - d) dT'/sqrt(T - T').
+BOOST_AUTO_TEST_CASE(material_that_passes_a_resting_flux_at_a_varying_speed) {
+  const int n = 64;
+  const double h = 3.0 / n;
+  const std::vector<double> constant = passing_weights(n, h, [](double d) { return d / 0.7; });
+  const std::vector<double> lines = line_weights(n, h, 0.7 / std::numbers::pi);
+  double worst = 0.0;
+  for (std::size_t m = 0; m < lines.size(); ++m) worst = std::max(worst, std::abs(constant[m] / lines[m] - 1.0));
+  BOOST_TEST_MESSAGE("constant speed: relative difference from the line sources " << worst << " (allowed 1e-8)");
+  BOOST_TEST(worst <= 1e-8);
+
+  const double T = 0.6;
+  const auto place = [](double t) { return t < 0.0 ? t : t + 0.5 * t * t; };
+  const auto ago = [&](double d) {
+    const double X = place(T) - d;
+    return T - (X < 0.0 ? X : std::sqrt(1.0 + 2.0 * X) - 1.0);
+  };
+  const auto q = [](double X) { return std::exp(-4.0 * X * X); };
+  const std::vector<double> weights = passing_weights(n, h, ago);
+  double sum = 0.0, exact = 0.0;
+  for (int m = 0; m <= n; ++m) sum += weights[static_cast<std::size_t>(m)] * q(0.4 - m * h);
+  constexpr int parts = 20000;
+  const double longest = std::sqrt(ago(3.0));
+  for (int k = 0; k < parts; ++k) {  // T - T' = s^2
+    const double s = longest * (k + 0.5) / parts;
+    exact += 2.0 * longest / parts * q(0.4 - (place(T) - place(T - s * s)));
+  }
+  const double error = std::abs(sum / exact - 1.0);
+  BOOST_TEST_MESSAGE("varying speed: " << sum << ", exact " << exact << ": " << error << " (allowed 1e-3)");
+  BOOST_TEST(error <= 1e-3);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
