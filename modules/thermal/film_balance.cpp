@@ -21,13 +21,14 @@ Balance FilmColumns::balance() const {
       sum.into_1 += cell * q_1_(i, j);
       sum.into_2 += cell * q_2_(i, j);
       sum.carried += cell * carried_(i, j);
+      sum.stored += cell * stored_(i, j);
       sum.clipped = sum.clipped || clipped_(i, j) > 0.0;
       for (int k = 0; k <= nodes_.intervals; ++k) compare(sum.film, theta(i, j, k), i, j);
       compare(sum.surface_1, theta(i, j, nodes_.intervals), i, j);
       compare(sum.surface_2, theta(i, j, 0), i, j);
     }
-  sum.friction *= (setup_.srr < 0.0 ? -1.0 : 1.0) / (load * setup_.stress_of_P);
-  sum.defect = sum.heat != 0.0 ? (sum.heat - sum.into_1 - sum.into_2 - sum.carried) / sum.heat : 0.0;
+  sum.friction *= (laws_.sliding < 0.0 ? -1.0 : 1.0) / (load * setup_.stress_of_P);
+  sum.defect = sum.heat != 0.0 ? (sum.heat - sum.into_1 - sum.into_2 - sum.carried - sum.stored) / sum.heat : 0.0;
   return sum;
 }
 

@@ -90,8 +90,8 @@ FilmColumns::FilmColumns(const Setup& setup)
     : setup_(setup),
       nodes_(make_nodes(setup.intervals)),
       laws_(laws_of(setup)),
-      u_1_(1.0 + 0.5 * setup.srr),
-      u_2_(1.0 - 0.5 * setup.srr),
+      u_1_(setup.speed + 0.5 * setup.srr),
+      u_2_(setup.speed - 0.5 * setup.srr),
       batches_(setup.patch.domain.line ? 1 : (setup.patch.nodes_y() + core::lanes - 1) / core::lanes),
       workers_(static_cast<std::size_t>(setup.threads)),
       change_(static_cast<std::size_t>(batches_)) {
@@ -109,8 +109,9 @@ FilmColumns::FilmColumns(const Setup& setup)
         theta_[place(i, j, k)] = setup.body_2.theta + difference * nodes_.zeta[static_cast<std::size_t>(k)];
   before_ = theta_;
   for (core::Field* field :
-       {&P_, &H_,   &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,          &M2_,
-        &C_, &tau_, &filled_,  &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
+       {&P_,        &H_,       &log_eta_, &rho_bar_, &k_bar_, &P_X_,          &P_Y_,         &driven_x_,
+        &driven_y_, &I0_,      &M2_,      &C_,       &tau_,   &filled_,       &q_1_,         &q_2_,
+        &heat_,     &carried_, &stored_,  &clipped_, &rho_,   &correction_1_, &correction_2_})
     *field = core::Field(patch);
   for (core::Field* field : {&more_x_, &more_y_, &less_tau_, &oil_}) {
     *field = core::Field(patch);
@@ -200,10 +201,13 @@ void FilmColumns::store_moments(int batch, int i, Worker& worker) {
   const auto put = [&](core::Field& field, Lanes value) { core::store_lines(setup_.patch, field, i, j, value); };
   put(I0_, at.I0);
   put(M2_, at.M2 * (1.0 + mean));
-  put(C_, u_2_ + (u_1_ - u_2_) * (1.0 - at.z_bar) + excess);
+  put(C_, (u_2_ + (u_1_ - u_2_) * (1.0 - at.z_bar) + excess) / (0.5 * (u_1_ + u_2_)));
+  put(rho_, 1.0 + mean);
   put(tau_, at.P > 0.0 ? at.tau_m : Lanes{});
   put(heat_, at.heat);
-  put(carried_, at.carried_off);
+  const Lanes kept = in_time_ ? stored(batch, i, worker) : Lanes{};
+  put(carried_, at.carried_off - kept);
+  put(stored_, kept);
   put(clipped_, at.clipped ? broadcast(1.0) : Lanes{});
 }
 
@@ -250,15 +254,15 @@ double FilmColumns::sweep_through(bool downstream) {
 double FilmColumns::sweep(bool back) {
   const double upstream = back && back_to_ >= 0 ? sweep_through(false) : 0.0;
   const double change = std::max(upstream, sweep_through(true));
-  apply_sources();
+  if (!in_time_) apply_sources();
   return change;
 }
 
 std::size_t FilmColumns::bytes() const {
-  const std::size_t fields = 25 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
+  const std::size_t fields = 27 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
   const auto of = [](const std::optional<LaggedSource>& source) { return source ? source->bytes() : 0; };
   return sizeof(double) * (fields + 4 * theta_.size()) + of(source_1_) + of(source_2_) +
-         workers_.size() * sizeof(Worker);
+         workers_.size() * sizeof(Worker) + (in_time_ ? in_time_->bytes() : 0);
 }
 
 }  // namespace ehl::thermal

@@ -7,6 +7,7 @@
 
 #include "core/field.hpp"
 #include "thermal/column.hpp"
+#include "thermal/film_in_time.hpp"
 #include "thermal/film_temperature.hpp"
 #include "thermal/lagged_source.hpp"
 
@@ -23,10 +24,16 @@ class FilmColumns {
 
   double sweep(bool back = true);
 
+  void begin_in_time(double end);
+  void begin_step(const TimeStep& step);
+  void accept_step();
+  void restart() { in_time_->length_before = 0.0; }
+
   bool flows_back() const { return back_to_ >= 0; }
   const core::Field& I0() const { return I0_; }
   const core::Field& M2() const { return M2_; }
   const core::Field& C() const { return C_; }
+  const core::Field& rho() const { return rho_; }
   const core::Field& more_x() const { return more_x_; }
   const core::Field& more_y() const { return more_y_; }
   const core::Field& less_tau() const { return less_tau_; }
@@ -43,6 +50,7 @@ class FilmColumns {
   struct Worker {
     Columns at;
     Profile ratio, expansion;
+    Lanes capacity;  // heat capacity of a column in the storage term, over the film
   };
   // Index of node k of the columns at position i, for a batch of grid lines. A batch is contiguous in memory; its lines
   // are adjacent.
@@ -69,6 +77,13 @@ class FilmColumns {
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
   Lanes fresh_share(int batch) const;
+  void add_change_of_speed(const std::vector<double>& passing, BodyInTime& body) const;
+  void take_rate_of_pressure();
+  void add_storage(int batch, int i, Worker& worker) const;
+  Lanes stored(int batch, int i, const Worker& worker) const;
+  double layer(std::size_t k) const {
+    return k == 0 || k == static_cast<std::size_t>(nodes_.intervals) ? 0.5 * nodes_.step : nodes_.step;
+  }
   void add_compression(int batch, int i, Worker& worker) const;
   void surfaces(int batch, int i, Columns& at) const;
   double marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const;
@@ -92,12 +107,13 @@ class FilmColumns {
   core::Field filled_;                   // share of the width that is sheared
   core::Field oil_;                      // share of the gap that is filled with oil
   core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
-  core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
-      correction_2_;
+  core::Field I0_, M2_, C_, rho_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, stored_, clipped_,
+      correction_1_, correction_2_;
   std::vector<double> line_1_, line_2_;
   std::vector<double> before_1_, before_2_;      // of a line contact: before_inlet(), per flux at the first node
   std::vector<double> upstream_1_, upstream_2_;  // q_1 and q_2 of a line contact, from the last node to the first
   std::optional<LaggedSource> source_1_, source_2_;
+  std::optional<FilmInTime> in_time_;
   std::vector<Worker> workers_;
   std::vector<double> change_;  // per batch, so that the maximum does not depend on the threads
 };

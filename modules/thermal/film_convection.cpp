@@ -64,6 +64,7 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
   rheology::heat_capacity(setup_.heat, lane_span(at.P), lane_span(at.theta[n / 2]),
                           {reinterpret_cast<double*>(&rho_c), core::lanes});
   const Lanes scale = setup_.Pe * at.H * rho_c / core::load(rho_bar_.at_x(i) + j);
+  worker.capacity = setup_.Pe * at.H * at.H * rho_c * core::load(oil_.at_x(i) + j);
   const double hx = 1.0 / patch.hx(), hy = 1.0 / patch.domain.between_lines();
   const int west_i = std::max(i - 1, 0), east_i = std::min(i + 1, patch.nx);
   const std::vector<double>& from_west = downstream ? theta_ : before_;
@@ -105,10 +106,11 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
     by.below[k] = scale * positive(from_below);
     by.above[k] = scale * positive(-up);
   }
+  if (in_time_) add_storage(batch, i, worker);
   if (setup_.compression > 0.0) add_compression(batch, i, worker);
 }
 
-// compression e T0 H^2 (u P_X + v P_Y), with e at mid-film.
+// compression e T0 H^2 (P_T + u P_X + v P_Y), with e at mid-film.
 void FilmColumns::add_compression(int batch, int i, Worker& worker) const {
   const int j = batch * core::lanes;
   Columns& at = worker.at;
@@ -119,11 +121,14 @@ void FilmColumns::add_compression(int batch, int i, Worker& worker) const {
   const auto out = [](Lanes& v) { return std::span(reinterpret_cast<double*>(&v), core::lanes); };
   rheology::density_change(setup_.density, in(at.P), in(at.theta[n / 2]), out(ratio), out(expansion));
   const Lanes scale = setup_.compression * expansion * at.H / core::load(rho_bar_.at_x(i) + j);
+  const Lanes of_rate = in_time_ ? setup_.compression * expansion * at.H * at.H * core::load(oil_.at_x(i) + j) *
+                                       core::load(in_time_->P_T.at_x(i) + j)
+                                 : Lanes{};
   for (std::size_t k = 0; k <= n; ++k) {
     const double layer = k == 0 || k == n ? 0.5 * nodes_.step : nodes_.step;
     const std::size_t here = index(batch, i, static_cast<int>(k));
     at.convection.compression[k] =
-        scale / layer * (core::load(&flow_x_[here]) * P_X + core::load(&flow_y_[here]) * P_Y);
+        scale / layer * (core::load(&flow_x_[here]) * P_X + core::load(&flow_y_[here]) * P_Y) + of_rate;
   }
 }
 

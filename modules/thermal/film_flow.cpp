@@ -89,6 +89,7 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
       P_Y_(i, j) = slope(patch, P_, i, j, false);
     }
   }
+  if (in_time_) take_rate_of_pressure();
   make_flows();
   back_to_ = setup_.Pe > 0.0 ? last_backflow() : -1;
 }

@@ -48,6 +48,11 @@ void FilmColumns::surfaces(int batch, int i, Columns& at) const {
     }
     for (int m = 1; m <= i; ++m) given += line[static_cast<std::size_t>(m)] * core::load(q.at_x(i - m) + j);
   };
+  if (in_time_) {
+    in_time_->surface(in_time_->body_1, i, j, at.given_1, at.self_1);
+    in_time_->surface(in_time_->body_2, i, j, at.given_2, at.self_2);
+    return;
+  }
   surface(setup_.body_1, line_1_, q_1_, upstream_1_, before_1_, correction_1_, at.given_1, at.self_1);
   surface(setup_.body_2, line_2_, q_2_, upstream_2_, before_2_, correction_2_, at.given_2, at.self_2);
 }

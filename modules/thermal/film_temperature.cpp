@@ -16,10 +16,15 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H, const cor
   columns_->take(P, H, theta);
 }
 double FilmTemperature::sweep(bool back) { return columns_->sweep(back); }
+void FilmTemperature::begin_in_time(double end) { columns_->begin_in_time(end); }
+void FilmTemperature::begin_step(const TimeStep& step) { columns_->begin_step(step); }
+void FilmTemperature::accept_step() { columns_->accept_step(); }
+void FilmTemperature::restart() { columns_->restart(); }
 bool FilmTemperature::flows_back() const { return columns_->flows_back(); }
 const core::Field& FilmTemperature::I0() const { return columns_->I0(); }
 const core::Field& FilmTemperature::M2() const { return columns_->M2(); }
 const core::Field& FilmTemperature::C() const { return columns_->C(); }
+const core::Field& FilmTemperature::rho() const { return columns_->rho(); }
 const core::Field& FilmTemperature::more_x() const { return columns_->more_x(); }
 const core::Field& FilmTemperature::more_y() const { return columns_->more_y(); }
 const core::Field& FilmTemperature::less_tau() const { return columns_->less_tau(); }

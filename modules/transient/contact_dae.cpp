@@ -9,6 +9,7 @@
 #include "multigrid/boundary.hpp"
 #include "multigrid/cycle.hpp"
 #include "multigrid/cycles.hpp"
+#include "multigrid/factors.hpp"
 #include "multigrid/mass_balance.hpp"
 #include "reynolds/flux.hpp"
 #include "transient/nodes.hpp"
@@ -31,6 +32,7 @@ ContactDae::ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, co
       rate_(control.tuning.best_first_rate),
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
+      stored_share_(hierarchy.finest().grid),
       rho_(nodes_) {
   const core::Patch& grid = hierarchy.finest().grid;
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(i, j) ? grid.lines(j) : 0.0; });
@@ -70,7 +72,8 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   level.load = W_ * drive.load - level.load_outside;
   hierarchy_.load_line = {};
   hierarchy_.outside_line = {};
-  hierarchy_.far_motion = {.load = drive.load};
+  hierarchy_.far_motion = {.load = drive.load, .mobility = hierarchy_.far_motion.mobility};
+  if (control_.coupling) take_factors(control_.coupling->predict(T));
   level.role = multigrid::Role::solved;
   level.scheme = multigrid::scheme_of(hierarchy_.problem);
   if (course_.surface) course_.surface(level.grid, T, level.F);
@@ -78,6 +81,20 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   if (!conserves_mass()) return;
   hierarchy_.supply_factor = drive.supply;
   multigrid::supply_oil(hierarchy_, level);
+}
+
+double ContactDae::take_factors(const FilmFactors& factors) {
+  multigrid::Level& level = hierarchy_.finest();
+  const film::FactorFields& now = factors.coefficients;
+  double change = 0.0;
+  for_nodes(level.grid, [&](int i, int j, std::size_t) {
+    const double mobility = now.fluidity(i, j) * now.mobility(i, j);
+    change = std::max(change,
+                      std::abs(std::log(mobility / (level.factors->fluidity(i, j) * level.factors->mobility(i, j)))));
+    stored_share_(i, j) = factors.stored(i, j) / now.carried(i, j);
+  });
+  multigrid::set_factors(hierarchy_, hierarchy_.levels.size() - 1, now);
+  return change;
 }
 
 void ContactDae::set_state(double T, const Drive& drive, std::span<const double> y, std::span<const double> yp) {
@@ -106,8 +123,10 @@ double ContactDae::carried() const {
 // that load is neglected.
 void ContactDae::take_motion(const Drive& drive, double approach) {
   const bool imposed = !course_.body;
-  hierarchy_.far_motion = {
-      .approach = approach, .load = imposed ? drive.load : carried(), .load_rate = imposed ? drive.load_rate : 0.0};
+  hierarchy_.far_motion = {.approach = approach,
+                           .load = imposed ? drive.load : carried(),
+                           .load_rate = imposed ? drive.load_rate : 0.0,
+                           .mobility = hierarchy_.far_motion.mobility};
 }
 
 LoadBalance ContactDae::load_balance() const {
@@ -154,8 +173,11 @@ void ContactDae::balance_load() {
 double ContactDae::least_film(std::span<const double> y) {
   rheology::density(hierarchy_.problem.film.density, y.first(nodes_), rho_);
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < nodes_; ++k)
-    if (!conserves_mass() || y[k] > 0.0) least = std::min(least, y[nodes_ + k] / rho_[k]);
+  const multigrid::Level& level = hierarchy_.levels.back();
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    const double E = control_.coupling ? stored_share_(i, j) * level.factors->carried(i, j) : 1.0;
+    if (!conserves_mass() || y[k] > 0.0) least = std::min(least, y[nodes_ + k] / (E * rho_[k]));
+  });
   return least;
 }
 

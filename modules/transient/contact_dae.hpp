@@ -9,6 +9,7 @@
 #include "multigrid/hierarchy.hpp"
 #include "newton/steps.hpp"
 #include "transient/body.hpp"
+#include "transient/coupling.hpp"
 #include "transient/ida.hpp"
 #include "transient/tuning.hpp"
 
@@ -40,6 +41,7 @@ struct ErrorControl {
   int most_cycles = 30;  ///< per implicit step, before the time step is cut
   Tuning tuning{};
   newton::Tuning newton{};
+  const Coupling* coupling = nullptr;  ///< an effect on the coefficients; null: none
 };
 
 /// Balance of the forces on the film at one time.
@@ -64,8 +66,10 @@ struct OilInTime {
 ///   H00' = V,   mass V' + damping V = integral P/W - load(T)
 /// replace the last equation; in an implicit step V and V' follow from H00, so the required load is linear in H00. With
 /// a closed far field P on the boundary follows from H00 and H00', and the integral includes the load outside. Where
-/// mass is conserved Q of a cavitated node is an unknown, and the last unknown is the oil A of all interior nodes by
-/// the flows, A' = in - out - aside; it must equal the oil that the nodes store.
+/// With an effect on the coefficients, whose factors are C on what the surfaces carry and E on what the gap holds, the
+/// unknown Q is E rho_bar H, and the transport term is U (C rho_bar H)_X; cj (E - C) rho_bar H stands on the right-hand
+/// side, where every cycle renews it. Where mass is conserved Q of a cavitated node is an unknown, and the last unknown
+/// is the oil A of all interior nodes by the flows, A' = in - out - aside; it must equal the oil that the nodes store.
 ///
 /// The wedge schemes, the march of the oil and the relaxation are written for a flow along +X. While U < 0 the level
 /// therefore holds all fields mirrored in X, with the speed -U; y stays in the fixed coordinates, so IDA's history does
@@ -126,12 +130,18 @@ class ContactDae {
   /// Sets the coefficients of the problem at T with squeeze coefficient cj; the right-hand side stays as it is.
   void pose(double T, const Drive& drive, double cj);
 
+  /// Sets the factors of the effect. returns the largest change of ln(epsilon).
+  double take_factors(const FilmFactors& factors);
+
  private:
   /// Method that solves the equations of an implicit step.
   enum class Iteration { cycles, newton };
   void begin(const Stage& stage, const Drive& drive);
   StageResult solved(const Stage& stage, const Drive& drive, std::span<double> correction);
   StageResult iterate(const Stage& stage, Iteration kind, double& rate);
+  StageResult respond(const Stage& stage, Iteration kind, double& rate);
+  void set_known(const Stage& stage);
+  double stored_share(int i, int j) const { return control_.coupling ? stored_share_(i, j) : 1.0; }
   bool newton_can() const;
   bool balanced_by_cycle(const Stage& stage) const;
   double change(const Stage& stage, double H00_before);
@@ -165,6 +175,7 @@ class ContactDae {
   double oil_by_flows_ = 0.0;  ///< oil at the start plus what has flowed in and out since
   double from_nowhere_ = 0.0;
   core::Field P_before_, Q_before_;
+  core::Field stored_share_;  ///< E/C of the effect
   std::vector<double> rho_;
 };
 

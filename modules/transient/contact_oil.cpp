@@ -11,7 +11,8 @@ namespace ehl::transient {
 
 double ContactDae::content(int i, int j) const {
   const multigrid::Level& level = hierarchy_.levels.back();
-  return conserves_mass() ? level.content->Q(i, j) : level.rho_bar(i, j) * level.H(i, j);
+  const double Q = conserves_mass() ? level.content->Q(i, j) : level.rho_bar(i, j) * level.H(i, j);
+  return control_.coupling ? stored_share_(i, j) * Q : Q;
 }
 
 // True for cavitated nodes of y and for nodes so close that the film edge may reach them within a step. When the edge

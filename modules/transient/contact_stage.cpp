@@ -51,12 +51,24 @@ void ContactDae::begin(const Stage& stage, const Drive& drive) {
   hierarchy_.far_motion.origin = hierarchy_.H00;
   multigrid::renew_load_outside(hierarchy_, level);
   if (course_.body) move_body(stage);
-  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
-    level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
+  set_known(stage);
+  for_nodes(level.grid, [&](int i, int j, std::size_t) {
     P_before_(i, j) = level.P(i, j);
     Q_before_(i, j) = content(i, j);
   });
   hierarchy_.coarsest_weight = 1.0;
+}
+
+// The right-hand side of the implicit step.
+void ContactDae::set_known(const Stage& stage) {
+  multigrid::Level& level = hierarchy_.finest();
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
+    level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
+  });
+  if (!control_.coupling) return;
+  for_nodes(level.grid, [&](int i, int j, std::size_t) {
+    level.f(i, j) += stage.cj * (stored_share_(i, j) - 1.0) * level.rho_bar(i, j) * level.H(i, j);
+  });
 }
 
 bool ContactDae::newton_can() const {
@@ -87,6 +99,7 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   while (!result.solved && taken < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
     ++taken;
+    if (control_.coupling) set_known(stage);
     try {
       if (kind == Iteration::cycles)
         cycle();
@@ -121,6 +134,31 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   return result;
 }
 
+// The effect responds to the solved state, and the step is solved again with its factors, until the state stays.
+StageResult ContactDae::respond(const Stage& stage, Iteration kind, double& rate) {
+  multigrid::Level& level = hierarchy_.finest();
+  StageResult all{.solved = false};
+  std::vector<double> before(size()), now(size());
+  for (int pass = 0; pass < control_.tuning.patience; ++pass) {
+    state(before);
+    take_factors(control_.coupling->respond(stage.T, level.P, level.H));
+    multigrid::update_coefficients(hierarchy_, level);
+    const StageResult again = iterate(stage, kind, rate);
+    all.cycles += again.cycles;
+    all.newton_steps += again.newton_steps;
+    if (!again.solved) return all;
+    state(now);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const double moved = stage.weights[k] * (now[k] - before[k]);
+      sum += moved * moved;
+    }
+    all.solved = std::sqrt(sum / static_cast<double>(size())) <= stage.tolerance;
+    if (all.solved) return all;
+  }
+  return all;
+}
+
 // A state that the cycles cannot treat, such as a film outside the range of the closed far field, calls for a shorter
 // step.
 StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
@@ -152,6 +190,11 @@ StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span
     const int cycles = result.cycles;
     result = iterate(stage, Iteration::newton, rate);
     result.cycles = cycles;
+  }
+  if (result.solved && control_.coupling) {
+    double rate = rate_;
+    const StageResult again = respond(stage, result.newton_steps > 0 ? Iteration::newton : Iteration::cycles, rate);
+    result = {again.solved, result.cycles + again.cycles, result.newton_steps + again.newton_steps};
   }
   if (!result.solved) return result;
   if (course_.body) take_velocity(stage, drive);

@@ -26,16 +26,22 @@ constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the
 class March {
  public:
   March(multigrid::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
-        const Observer& observer, const newton::Tuning& newton, double of_unit, double line_unit)
+        const Observer& observer, const Coupling* coupling, const newton::Tuning& newton, double of_unit,
+        double line_unit)
       : hierarchy_(hierarchy),
         line_unit_(line_unit),
         conditions_(conditions),
         tuning_(conditions.tuning),
         parameters_(parameters),
         observer_(observer),
+        coupling_(coupling),
         course_(course_of(conditions, hierarchy.problem.geometry.gap.XX)),
         dae_(hierarchy_, course_,
-             {.rtol = parameters.rtol, .Q_scale = film_scale(), .tuning = conditions.tuning, .newton = newton}),
+             {.rtol = parameters.rtol,
+              .Q_scale = film_scale(),
+              .tuning = conditions.tuning,
+              .newton = newton,
+              .coupling = coupling}),
         between_(dae_.size()),
         showing_(hierarchy, dae_, conditions, parameters, observer, of_unit) {
     if (course_.surface)
@@ -58,7 +64,7 @@ class March {
   std::size_t size() const { return dae_.size(); }
 
   MarchReport run(const Checkpoint* from) {
-    Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_);
+    Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_, coupling_);
     if (from) dae_.set_weight(from->weight);
     // The relaxation multiplies its predicted change of the film by cj, so the prediction must be accurate.
     multigrid::take_line_zero(hierarchy_, line_unit_);
@@ -125,6 +131,7 @@ class March {
   // All of them end before the next stop.
   bool cross(Ida& ida, double next_stop) {
     EulerStep step;
+    if (coupling_) coupling_->restart();
     step.y.assign(ida.y().begin(), ida.y().end());
     if (!short_steps(step, drive(report_.T), tuning_.first_step, next_stop)) return false;
     ++report_.restarts;
@@ -186,6 +193,7 @@ class March {
   template <class Interpolate>
   bool accept(const StepReport& step, std::span<const double> y, Interpolate interpolate) {
     const double before = std::exchange(report_.T, step.T);
+    if (coupling_) coupling_->accept();
     ++report_.steps;
     report_.cycles += step.cycles;
     report_.newton_steps += step.newton_steps;
@@ -226,6 +234,7 @@ class March {
   const Tuning& tuning_;
   const MarchParameters& parameters_;
   const Observer& observer_;
+  const Coupling* coupling_;
   Course course_;
   ContactDae dae_;
   DaeProblem problem_{};
@@ -237,16 +246,19 @@ class March {
 }  // namespace
 
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
-                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
+                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from,
+                  const Coupling* coupling) {
   const double began = core::now();
-  const steady::Scene own = scene_in_time(scene, conditions);
+  steady::Scene own = scene_in_time(scene, conditions);
+  own.has_factors = coupling != nullptr;
   const double of_unit = shift_of_unit(own);
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);
   multigrid::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
   prepare(hierarchy);
-  March under_way(hierarchy, conditions, parameters, observer, own.newton, of_unit, own.deformation.line_unit);
+  March under_way(hierarchy, conditions, parameters, observer, coupling, own.newton, of_unit,
+                  own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint belongs to another grid than that of the deck");
   MarchReport report = under_way.run(from);

@@ -73,6 +73,7 @@ struct Snapshot {
   double u1 = 1.0, u2 = 1.0;                      ///< speeds of the surfaces over u_m
   const reynolds::FarField* far_field = nullptr;  ///< null: no oil outside the domain is known
   reynolds::FarState far{};
+  const film::FactorFields* factors = nullptr;  ///< of an effect on the coefficients; null: none
 };
 
 /// Everything that is needed to continue from here.
@@ -118,12 +119,13 @@ struct MarchReport {
 /// the conditions at T = 0. Q = rho_bar H; where mass is conserved, Q <= rho_bar H is an unknown where P = 0
 /// (reynolds/content.hpp). IDA's BDF of variable order and step; multigrid cycles solve every implicit step. After a
 /// jump of load or speed the integration starts again behind a few very short steps.
-/// in: scene and its solution; conditions with load > 0 at all times and u1 + u2 > 0 at T = 0; if u1 + u2 may become
-/// negative, a grid with X_a = -X_b and a gap without a term X Y; from: a checkpoint
-/// of the same integration, which continues at order one with a shorter step and counts its report from zero.
-/// errors: core::SolverError if the state at T = 0 cannot be solved; core::FileError if the checkpoint belongs to
+/// in: coupling, an effect on the coefficients; scene and its solution; conditions with load > 0 at all times and u1 +
+/// u2 > 0 at T = 0; if u1 + u2 may become negative, a grid with X_a = -X_b and a gap without a term X Y; from: a
+/// checkpoint of the same integration, which continues at order one with a shorter step and counts its report from
+/// zero. errors: core::SolverError if the state at T = 0 cannot be solved; core::FileError if the checkpoint belongs to
 /// another grid.
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
-                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from = nullptr);
+                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from = nullptr,
+                  const Coupling* coupling = nullptr);
 
 }  // namespace ehl::transient

@@ -80,10 +80,35 @@ void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start
   dae.balance_load();
 }
 
-Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions) {
+namespace {
+
+// The steady state at T = 0 with an effect on the coefficients, by a fixed-point iteration.
+void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, const Coupling& coupling) {
+  const multigrid::Level& level = hierarchy.finest();
+  const Tuning& tuning = dae.tuning();
+  // The factors follow the pressure, of which a residual is left.
+  const double tolerance = 100.0 * tuning.settled_residual;
+  double change = 0.0;
+  for (int pass = 0; pass < tuning.most_settling_cycles; ++pass) {
+    change = dae.take_factors(coupling.settle(level.grid, level.P, level.H));
+    settle(hierarchy, dae, start);
+    if (change <= tolerance) return;
+  }
+  throw core::SolverError(
+      fmt::format("the steady solution at the start of the run in time was not found with heat: the viscosity still "
+                  "changes by {:.1e} (limit {:.0e})",
+                  change, tolerance));
+}
+
+}  // namespace
+
+Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions,
+                       const Coupling* coupling) {
   const Drive drive = drive_at(conditions, 0.0);
   if (conditions.body && conditions.body->gap)
     dae.release(drive);
+  else if (coupling)
+    settle_together(hierarchy, dae, drive, *coupling);
   else
     settle(hierarchy, dae, drive);
   dae.begin_oil();

@@ -13,6 +13,8 @@ namespace ehl::transient {
 void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
 
 /// y and y' at T = 0: the steady state, or a body at its gap.
-Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions);
+/// With an effect on the coefficients both are steady together.
+Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions,
+                       const Coupling* coupling);
 
 }  // namespace ehl::transient

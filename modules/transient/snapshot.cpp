@@ -47,7 +47,8 @@ Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& da
           .u1 = value(conditions.u1, T),
           .u2 = value(conditions.u2, T),
           .far_field = far_field ? &*far_field : nullptr,
-          .far = multigrid::far_state(hierarchy, hierarchy.H00)};
+          .far = multigrid::far_state(hierarchy, hierarchy.H00),
+          .factors = level.factors ? &*level.factors : nullptr};
 }
 
 }  // namespace ehl::transient

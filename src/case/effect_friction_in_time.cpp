@@ -94,10 +94,14 @@ namespace {
 
 using friction::Friction;
 
+friction::Parameters parameters_in_time(const Case& input) {
+  return input.friction ? *input.friction : friction_of_contact(input.physics, input.scene);
+}
+
 /// What lies around the domain, made at the first step.
 struct Around {
   const friction::Surroundings& of(const Case& input, const transient::Snapshot& state) {
-    if (!made) made.emplace(input.scene, state.far_field, state.grid.domain, input.friction->meniscus);
+    if (!made) made.emplace(input.scene, state.far_field, state.grid.domain, parameters_in_time(input).meniscus);
     return *made;
   }
   std::optional<friction::Surroundings> made{};
@@ -105,14 +109,18 @@ struct Around {
 
 // The friction of a state; forces over the load of the contact. in: fields: keeps the tractions that the deck asks for.
 Friction friction_at(const Case& input, const transient::Snapshot& state, Around& around, bool fields) {
-  friction::Parameters parameters = *input.friction;
+  friction::Parameters parameters = parameters_in_time(input);
   parameters.stress = stress_of_speed(input.physics) * (state.u1 - state.u2);
   parameters.thinning_k = input.transient->conditions.thinning_k * std::abs(state.u1 - state.u2);
   parameters.oblique = !input.scene.grid.line && state.grid.north == core::Edge::zero;
   if (!fields) parameters.keep_tau1 = parameters.keep_tau2 = false;
   const core::Field P = core::on_domain(state.grid, state.P), H = core::on_domain(state.grid, state.H);
-  return friction::friction_at(input.scene, {.grid = state.grid.domain, .P = P, .H = H, .H00 = state.far.H00},
-                               around.of(input, state), state.far, parameters);
+  core::Field I0;
+  if (state.factors != nullptr) I0 = core::on_domain(state.grid, state.factors->fluidity);
+  return friction::friction_at(
+      input.scene,
+      {.grid = state.grid.domain, .P = P, .H = H, .H00 = state.far.H00, .I0 = state.factors != nullptr ? &I0 : nullptr},
+      around.of(input, state), state.far, parameters);
 }
 
 // A column of the steps. in: the friction in units of the load of the contact, and the state.
@@ -186,6 +194,12 @@ InSteps friction_in_steps(const Case& input) {
       return fields;
     };
   return made;
+}
+
+std::function<double(const transient::Snapshot& state)> sliding_in_steps(const Case& input) {
+  return [&input, around = std::make_shared<Around>()](const transient::Snapshot& state) {
+    return coefficient<&Friction::sliding>(friction_at(input, state, *around, false), state);
+  };
 }
 
 std::vector<numbers::Group> friction_step_numbers() {

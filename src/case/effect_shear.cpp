@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text_format.hpp"
@@ -80,8 +81,7 @@ std::string idle(const Case& input) {
   // A traction curve may contain the point srr = 0, and the speeds may vary in time.
   const bool one_of_a_curve = input.friction || input.heat || input.flow_thinning;
   const auto varies = [&](const char* speed) { return deck::given(input.deck, "transient", speed); };
-  const bool one_of_many_times =
-      std::ranges::any_of(std::initializer_list{"u1", "u1_wave", "u2", "u2_wave", "cycle"}, varies);
+  const bool one_of_many_times = std::ranges::any_of(std::array{"u1", "u1_wave", "u2", "u2_wave", "cycle"}, varies);
   if (input.scene.thinning->k == 0.0 && !one_of_a_curve && !one_of_many_times)
     return "the surfaces do not slide (srr = 0), and the oil thins by sliding: remove [shear], or give [motion] srr, "
            "or different u1 and u2, or flow = on";

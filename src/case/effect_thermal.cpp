@@ -10,6 +10,7 @@
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
+#include "case/thermal_in_time.hpp"
 #include "case/thermal_report.hpp"
 #include "deck/text.hpp"
 #include "rheology/thermal_keys.hpp"
@@ -61,13 +62,13 @@ Group thermal_numbers() {
              [](Of s) { return kelvin(s, heated(s).found.mean); }),
       number("T_inlet", "K", "middle of the film above T_oil at x = -a, y = 0",
              [](Of s) { return kelvin(s, heated(s).found.inlet); }),
-      number("heat_made", watt, "heat made in the film by shear and compression",
+      number(id::heat_made, watt, "heat made in the film by shear and compression",
              [](Of s) { return watts(s, heated(s).found.balance.heat); }),
       number(id::heat_1, watt, "heat into body 1", column(508),
              [](Of s) { return watts(s, heated(s).found.balance.into_1); }),
-      number("heat_2", watt, "heat into body 2", column(509),
+      number(id::heat_2, watt, "heat into body 2", column(509),
              [](Of s) { return watts(s, heated(s).found.balance.into_2); }),
-      number("heat_carried", watt, "heat carried out of the domain by the oil",
+      number(id::heat_carried, watt, "heat carried out of the domain by the oil",
              [](Of s) { return watts(s, heated(s).found.balance.carried); }),
       number(id::heat_imbalance, "-", "heat made less heat led away, over heat made", column(510),
              [](Of s) { return heated(s).found.balance.defect; }),
@@ -100,6 +101,7 @@ void read(Case& input) {
   const double limit = input.friction ? input.friction->limit : std::numeric_limits<double>::infinity();
   input.heat = thermal_input(input.deck, input.physics, input.scene, limit);
   if (input.heat) input.heat->setup.flow_thinning = input.flow_thinning;
+  if (input.heat && input.transient) check_thermal_in_time(input);
 }
 
 FilmSolver film(const Case&) {
@@ -130,7 +132,8 @@ Needs expense(const Case& input) {
   const auto [lines, times_isothermal] = grid.line ? std::pair(8.0, 13.0) : std::pair(0.5 * grid.nodes_y(), 5.0);
   const double nodes = grid.nodes_x() * lines;
   constexpr double columns = 4.0, fields = 40.0;
-  return {.bytes = nodes * sizeof(double) * (columns * (input.heat->setup.intervals + 1) + fields),
+  const double in_time = input.transient ? 160.0 : 0.0;  // fields: exponentials of both bodies, factors of three steps
+  return {.bytes = nodes * sizeof(double) * (columns * (input.heat->setup.intervals + 1) + fields + in_time),
           .seconds = times_isothermal * basic_needs(input.scene).seconds};
 }
 
@@ -174,7 +177,9 @@ void json(const Case& input, const Computed& computed, Json& report) {
 }
 
 core::Warnings warnings(const Case& input, const Computed& computed) {
-  return computed.heat ? thermal_warnings(input, *computed.heat) : core::Warnings{};
+  core::Warnings list = computed.heat ? thermal_warnings(input, *computed.heat) : core::Warnings{};
+  if (computed.in_time) thermal_in_time_warnings(input, *computed.in_time, list);
+  return list;
 }
 
 }  // namespace
@@ -190,12 +195,16 @@ Effect thermal_effect() {
                 return deck::together({rheology::warm_oil_keys(), thermal::keys()});
               },
           .numbers = numbers::thermal_numbers,
+          .more_numbers = thermal_step_numbers,
           .read = read,
-          .stages = {.scene = observe_friction, .film = film},
+          .stages = {.scene = observe_friction, .film = film, .in_steps = thermal_in_steps},
           .on = [](const Case& input) { return input.heat.has_value(); },
           .what = what,
           .expense = expense,
-          .summary = thermal_summary,
+          .summary =
+              [](const Case& input, const Computed& computed) {
+                return thermal_summary(input, computed) + thermal_in_time_summary(input, computed);
+              },
           .json = json,
           .warnings = warnings,
           .add_content = add_content,

@@ -55,7 +55,8 @@ struct KeyName {
 struct InSteps {
   std::vector<std::string> numbers{};  ///< columns of /transient, by their names in the registry
   std::function<std::vector<double>(const transient::Snapshot& state)> measure{};  ///< NaN: not known at this time
-  std::vector<results::NamedField> fields{};                                       ///< of the frames; without values
+  std::optional<transient::Coupling> coupling{};  ///< of one effect that changes the coefficients
+  std::vector<results::NamedField> fields{};      ///< of the frames; without values
   std::function<std::vector<core::Field>(const transient::Snapshot& state)> measure_fields{};
 };
 

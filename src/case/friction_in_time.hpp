@@ -9,6 +9,9 @@ namespace ehl::program {
 /// tractions that the deck keeps.
 InSteps friction_in_steps(const Case& input);
 
+/// The sliding friction over the load that the film carries, of a case without [friction].
+std::function<double(const transient::Snapshot& state)> sliding_in_steps(const Case& input);
+
 /// The columns of /transient that a steady contact has no number for.
 std::vector<numbers::Group> friction_step_numbers();
 

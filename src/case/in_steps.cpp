@@ -21,6 +21,19 @@ void append(const Measure& own, double* seconds, Measure& all) {
   };
 }
 
+// The coupling of an effect, with the time of its functions counted. in: seconds; may be null.
+transient::Coupling timed(const transient::Coupling& own, double* seconds) {
+  const auto count = [seconds](auto function) {
+    return [function, seconds](const auto&... arguments) {
+      const double began = core::now();
+      auto made = function(arguments...);
+      if (seconds != nullptr) *seconds += core::now() - began;
+      return made;
+    };
+  };
+  return {count(own.settle), count(own.predict), count(own.respond), own.accept, own.restart};
+}
+
 }  // namespace
 
 InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds) {
@@ -31,6 +44,7 @@ InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds) {
     double* of_effect = seconds == nullptr ? nullptr : &(*seconds)[effect.name];
     all.numbers.insert(all.numbers.end(), own.numbers.begin(), own.numbers.end());
     all.fields.insert(all.fields.end(), own.fields.begin(), own.fields.end());
+    if (own.coupling) all.coupling = timed(*own.coupling, of_effect);
     append(own.measure, of_effect, all.measure);
     append(own.measure_fields, of_effect, all.measure_fields);
   }

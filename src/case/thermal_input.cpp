@@ -22,8 +22,6 @@ void check_possible(deck::Deck& deck, const Physics& physics, const steady::Scen
   const char* caller = given(deck, "thermal", "T_oil")    ? "T_oil"
                        : given(deck, "thermal", "solid1") ? "solid1"
                                                           : "solid2";
-  if (given(deck, "transient", "end_time"))
-    complain(deck, "thermal", caller, "is available for steady contacts only: remove it, or remove [transient]");
   if (physics.language != Language::si)
     complain(deck, "thermal", caller,
              "needs speeds, load, radius and viscosity in SI: give load, radius_x and the elastic data, u_m and srr, "

@@ -67,6 +67,8 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
   transient::Input input = transient::read(deck, scales_of(physics), carried, grid);
   if (std::isfinite(input.parameters.end)) check_geometry(deck, physics, input);
+  if (input.mode != transient::Mode::in_time && deck::called_for(deck, "thermal"))
+    deck::complain(deck, "transient", "mode", "the quasi-steady states have no heat: set in_time, or remove [thermal]");
   if (input.mode == transient::Mode::quasi_steady)
     for (const char* section : {"friction", "subsurface"})
       if (deck::called_for(deck, section))

@@ -193,9 +193,13 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
           },
       .measure = added.measure,
       .measure_fields = added.measure_fields,
-      .wants_checkpoint = [&] { return settings.save && core::now() - saved > march.seconds_between_checkpoints; },
+      .wants_checkpoint =
+          [&, kept = !added.coupling] {
+            return kept && settings.save && core::now() - saved > march.seconds_between_checkpoints;
+          },
       .checkpoint =
           [&](transient::Checkpoint&& checkpoint) {
+            if (added.coupling) return;  // the state of the effect is not kept
             result.checkpoint = std::move(checkpoint);
             total(result);
             if (settings.save && !stop_requested())
@@ -209,8 +213,8 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
     total(result);
     return result;
   }
-  result.report =
-      transient::march(input.scene, start, march.conditions, march.parameters, observer, from ? &*from : nullptr);
+  result.report = transient::march(input.scene, start, march.conditions, march.parameters, observer,
+                                   from ? &*from : nullptr, added.coupling ? &*added.coupling : nullptr);
   if (result.report.end != MarchEnd::interrupted) result.checkpoint.reset();
   total(result);
   return result;

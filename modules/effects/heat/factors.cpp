@@ -3,40 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multigrid/factors.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::heat {
-namespace {
-
-void restrict_to_corrector(multigrid::Level& fine, multigrid::Level& coarse) {
-  for (const auto field :
-       {&film::FactorFields::fluidity, &film::FactorFields::mobility, &film::FactorFields::mobility_across}) {
-    core::fill_ghosts(fine.grid, *fine.factors.*field);
-    transfer::restrict_full_weighting(coarse.grid, *fine.factors.*field, *coarse.factors.*field);
-  }
-  transfer::restrict_injection(fine.factors->carried, coarse.factors->carried);
-}
-
-// To the grids that correct levels[l].
-void restrict_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
-  multigrid::Level* fine = &hierarchy.levels[l];
-  while (multigrid::Level* coarse = multigrid::corrector_of(hierarchy, *fine)) {
-    restrict_to_corrector(*fine, *coarse);
-    fine = coarse;
-  }
-}
-
-}  // namespace
 
 void reset_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
   for (const auto field : film::factor_fields) (*hierarchy.levels[l].factors.*field).fill(1.0);
-  restrict_factors(hierarchy, l);
+  multigrid::restrict_factors(hierarchy, l);
 }
 
 void interpolate_factors(multigrid::Hierarchy& hierarchy, std::size_t l) {
   for (const auto field : film::factor_fields)
     transfer::prolong_bilinear(*hierarchy.levels[l - 1].factors.*field, *hierarchy.levels[l].factors.*field, 1);
-  restrict_factors(hierarchy, l);
+  multigrid::restrict_factors(hierarchy, l);
 }
 
 double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const thermal::FilmTemperature& film,
@@ -59,13 +39,8 @@ double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const therma
       // C is averaged arithmetically, because it may pass through zero if a surface stands still.
       C += weight * (film.C()(i, j) - C);
     }
-  restrict_factors(hierarchy, l);
+  multigrid::restrict_factors(hierarchy, l);
   return largest;
-}
-
-void set_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const film::FactorFields& factors) {
-  *hierarchy.levels[l].factors = factors;
-  restrict_factors(hierarchy, l);
 }
 
 }  // namespace ehl::heat

@@ -22,7 +22,4 @@ void interpolate_factors(multigrid::Hierarchy& hierarchy, std::size_t l);
 double take_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const thermal::FilmTemperature& film,
                     double weight);
 
-/// Sets the factors on levels[l], and by restriction those on the grids that correct it.
-void set_factors(multigrid::Hierarchy& hierarchy, std::size_t l, const film::FactorFields& factors);
-
 }  // namespace ehl::heat

@@ -7,6 +7,7 @@
 
 #include "judgement/error_estimate.hpp"
 #include "judgement/stopping.hpp"
+#include "multigrid/factors.hpp"
 #include "multigrid/mass_balance.hpp"
 
 namespace ehl::heat {
@@ -175,7 +176,7 @@ Result heat_up(multigrid::Run& run, std::size_t l, thermal::FilmTemperature& fil
     }
     core::copy(kept.P, level.P);
     hierarchy.H00 = kept.H00;
-    set_factors(hierarchy, l, factors_before);
+    multigrid::set_factors(hierarchy, l, factors_before);
     multigrid::update_film(hierarchy, level);
     weight *= 0.5;
     run.damping = damping;

@@ -24,7 +24,9 @@ inline constexpr char
     kappa[] = "kappa", angle[] = "angle", radius_ratio[] = "radius_ratio", time[] = "time",
     // effects
     mu[] = "mu", error_mu[] = "error_mu", T_film_max[] = "T_film_max", T1_max[] = "T1_max", T2_max[] = "T2_max",
-    heat_1[] = "heat_1", heat_imbalance[] = "heat_imbalance", supply_ratio[] = "supply_ratio", starvation_factor[] = "starvation_factor",
+    heat_1[] = "heat_1", heat_2[] = "heat_2", heat_made[] = "heat_made", heat_carried[] = "heat_carried",
+    heat_stored[] = "heat_stored", heat_imbalance[] = "heat_imbalance", supply_ratio[] = "supply_ratio",
+    starvation_factor[] = "starvation_factor",
     meniscus_x[] = "meniscus_x", oil_in[] = "oil_in", oil_aside[] = "oil_aside", mass_imbalance[] = "mass_imbalance",
     completed[] = "completed", ended[] = "ended", speed[] = "speed",
     // friction, also in time

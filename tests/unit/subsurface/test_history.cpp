@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "effects/subsurface/history.hpp"
 
@@ -84,6 +85,15 @@ BOOST_AUTO_TEST_CASE(kept_kernels_change_nothing) {
       P(7, 1) += 0.5;
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_user_can_stop_it) {
+  const core::Grid grid = core::Grid{32, 32, -1.5, 1.5, -1.5, 1.5};
+  int told = 0;
+  BOOST_CHECK_THROW(
+      stress_below(grid, core::Field(grid), {.planes = 9}, 1, [&](int done) { return (told = done) < 3; }),
+      core::Interrupted);
+  BOOST_TEST(told == 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

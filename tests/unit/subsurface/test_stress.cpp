@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "effects/subsurface/plane_sum.hpp"
 #include "effects/subsurface/stress.hpp"
@@ -278,14 +277,6 @@ BOOST_AUTO_TEST_CASE(a_coarser_grid_keeps_the_load_and_nearly_the_maximum) {
   BOOST_TEST(stress_grid(core::Grid{96, 50, -1.0, 1.0, -0.5, 0.5}, {.most_cells = 10}).nx == 48);
   // Half of a mirrored domain is not halved again in the plane.
   BOOST_TEST(stress_grid(core::lower_half(grid), parameters).ny == 64);
-}
-
-BOOST_AUTO_TEST_CASE(the_user_can_stop_it) {
-  const core::Grid grid = square(32, 1.5);
-  int told = 0;
-  BOOST_CHECK_THROW(stress_below(grid, hertz(grid), {.planes = 9}, 1, [&](int done) { return (told = done) < 3; }),
-                    core::Interrupted);
-  BOOST_TEST(told == 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_depth_that_misses_the_maximum_is_told) {
