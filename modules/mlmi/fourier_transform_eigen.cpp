@@ -1,4 +1,5 @@
 // Fourier transforms by Eigen (kissfft, not under the GPL).
+#include <algorithm>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 #include <vector>
@@ -53,6 +54,10 @@ ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;
 ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = default;
 
 void ComplexTransform::forward(const double* in, double* out) const {
+  if (implementation_->length == 1) {  // Eigen's own transform of one number crashes
+    std::copy_n(in, 2, out);
+    return;
+  }
   implementation_->library.fwd(reinterpret_cast<Complex*>(out), reinterpret_cast<const Complex*>(in),
                                implementation_->length);
 }
