@@ -23,7 +23,7 @@ if (P_max > 0) { set yrange [0:*] } else { set yrange [0:1] }
 set format x panels == 2 ? "%g" : ""
 if (panels == 2) { set xlabel axis_T offset 0, 0.4 }
 plot $table_transient using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
-     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("P_max_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" title "quasi-steady", \
+     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("P_max_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" title quasi > 0 ? "quasi-steady" : "", \
      for [k = 1:probes] $table_transient using (T(column("time"))):(probes > 0 ? column(sprintf("P_%d", k)) : NaN) with lines lw 0.8 \
          lc rgb probe_colour(k) title probes > 0 ? place(k) : ""
 if (driven) {
@@ -33,7 +33,7 @@ if (driven) {
   set ylabel "over the start"
   if (S_min < 0) { set yrange [*:*]; set xzeroaxis }
   plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
-       for [k = 1:bends] $table_transient using (T(column("time"))):(bends ? column("radius_x") : NaN) with lines lw 1 dt (2, 2) lc rgb red title "radius", \
+       for [k = 1:bends] $table_transient using (T(column("time"))):(bends ? column("radius_x") : NaN) with lines lw 1 dt (2, 2) lc rgb red title bends > 0 ? "radius" : "", \
        $table_transient using (T(column("time"))):"speed" with lines lw 1 dt (6, 3) lc rgb green title "speed"
 }
 unset multiplot

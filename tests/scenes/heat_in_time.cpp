@@ -102,6 +102,8 @@ BOOST_AUTO_TEST_CASE(a_dent_crosses_a_hot_contact) {
   BOOST_TEST((film == column(other, "T_film_max")));  // the same bits for any number of threads
   const std::vector<double> field = file.frame("/transient/frames/T1", 0).values;
   BOOST_TEST(std::abs(largest(field) / column(file, "T1_max").front() - 1.0) < 1e-12);
+  const support::Ended drawn = support::ehl(folder, "plot dent.h5 --format svg --figure transient_heat");
+  BOOST_TEST((drawn.status == 0 && drawn.err.empty()), drawn.err);
 }
 
 BOOST_AUTO_TEST_CASE(what_no_run_in_time_can_do_is_refused) {
