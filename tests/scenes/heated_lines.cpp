@@ -260,7 +260,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
       {"surface 1 stands", moving("u_m = 10\nsrr = -2\n"), {"srr"}},
       {"u2 = 0", moving("u1 = 10\nu2 = 0\n"), {"u2"}},
       {"u1 = 0", moving("u1 = 0\nu2 = 10\n"), {"u1"}},
-      {"in time", teeth + "[transient]\nend_time = 1\n", {"T_oil"}},
       {"no speeds", "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil"}},
       {"roller",
        "[contact]\nkind = roller\nload = 1000\nlength_m = 0.01\nradius_x = 0.010\nE_prime = 226.4e9\n" + motion + oil +

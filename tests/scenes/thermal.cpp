@@ -172,7 +172,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   const std::string warm = "T_oil = 40\nbeta = 0.042\n";
   const auto thermal = [&](const std::string& keys) { return contact + motion + oil + method + "[thermal]\n" + keys; };
   support::check_refused({
-      {"in time", with("[transient]\nend_time = 1\n"), {"T_oil"}},
       {"polish", with("[multigrid]\npolish = always\n"), {"polish"}},
       {"dry", "[case]\nkind = dry\n" + contact + "[thermal]\nT_oil = 40\n", {"T_oil", "kind = dry"}},
       {"no speeds", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil"}},
