@@ -12,8 +12,11 @@
 #include "support/text.hpp"
 
 using namespace ehl;
+using support::column;
 using support::distance;
+using support::largest;
 using support::solved;
+using support::summary;
 
 namespace {
 
@@ -30,20 +33,6 @@ std::string sliding(double srr) {
   std::ostringstream text;
   text << "[motion]\nsrr = " << srr << "\n";
   return text.str();
-}
-
-std::vector<double> column(const results::ResultFile& file, const std::string& name) {
-  return file.numbers("/transient/" + name).values;
-}
-
-double summary(const results::ResultFile& file, const std::string& name) {
-  return file.numbers("/summary/" + name).values.at(0);
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
 }
 
 }  // namespace

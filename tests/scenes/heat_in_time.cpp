@@ -8,7 +8,10 @@
 #include "support/solved.hpp"
 
 using namespace ehl;
+using support::column;
+using support::largest;
 using support::solved;
+using support::summary;
 
 namespace {
 
@@ -27,18 +30,6 @@ std::string line_with(const std::string& load) {
 }
 const std::string line = line_with("5e4");
 const std::string slides = "[motion]\nu_m = 2\nsrr = 0.6\n";
-
-std::vector<double> column(const results::ResultFile& file, const std::string& name) {
-  return file.numbers("/transient/" + name).values;
-}
-double summary(const results::ResultFile& file, const std::string& name) {
-  return file.numbers("/summary/" + name).values.at(0);
-}
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
 
 }  // namespace
 

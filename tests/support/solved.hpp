@@ -20,6 +20,21 @@ inline ehl::results::ResultFile solved(const TemporaryFolder& folder, const std:
   return ehl::results::ResultFile(folder / (name + ".h5"));
 }
 
+/// A number at every step of a run in time.
+inline std::vector<double> column(const ehl::results::ResultFile& file, const std::string& name) {
+  return file.numbers("/transient/" + name).values;
+}
+inline double summary(const ehl::results::ResultFile& file, const std::string& name) {
+  return file.numbers("/summary/" + name).values.at(0);
+}
+
+/// The largest absolute value of a list.
+inline double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
 /// The largest distance of two lists, where the second one is multiplied by a factor.
 inline double distance(const std::vector<double>& one, const std::vector<double>& other, double factor = 1.0) {
   BOOST_TEST_REQUIRE(one.size() == other.size());
