@@ -35,6 +35,8 @@ std::vector<deck::Key> cycle_keys() {
 namespace {
 
 constexpr double most_periods = 10000.0;  // the table is stored once for each
+/// Largest ratio of a radius to that of [contact], whose Hertz radius sets the domain and the cells.
+constexpr double widest_range = 1000.0;
 
 /// A column of the table: names, the unit of the heading in SI, and its scale.
 struct Quantity {
@@ -125,8 +127,14 @@ std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scale
                                          wanted[k].name, last, first));
     cycle.*wanted[k].schedule = repeated(table.rows, k + 1, known ? wanted[k].scale : 1.0, unit, periods);
   }
-  if (std::ranges::any_of(cycle.radius.points, [](const Schedule::Point& point) { return !(point.value > 0.0); }))
-    part.complain("cycle", "radius_x must be positive in every row");
+  for (const deck::ColumnRow& row : table.rows) {
+    if (!table.present[1]) break;
+    const double ratio = row.values[1] / (known ? scales.radius : 1.0);
+    if (ratio >= 1.0 / widest_range && ratio <= widest_range) continue;
+    part.complain("cycle", fmt::format("{}: radius_x is {:g} times that of [contact]; allowed is {:g} to {:g} times",
+                                       row.place, ratio, 1.0 / widest_range, widest_range));
+    break;
+  }
   return cycle;
 }
 

@@ -109,11 +109,25 @@ void read_states(const deck::Part& transient, const std::optional<Cycle>& cycle,
     transient.complain("mode", "in_time is the only mode with [body], whose motion is not steady");
   if (input.conditions.on_1 || input.conditions.on_2)
     transient.complain("mode", "in_time is the only mode with [surface1] or [surface2], whose shapes move");
+  if (input.mode == Mode::quasi_steady) {
+    for (const char* key : {"rtol", "max_step", "output_interval", "stop_film", "stop_steady", "stop_periodic"})
+      if (transient.given(key))
+        transient.complain(key, "has no influence with mode = quasi_steady: remove it, or set mode = both");
+    if (input.conditions.conserves_mass && !deck::called_for(transient.deck, "supply"))
+      transient.complain("mode",
+                         "quasi_steady needs cavitation = pressure, because steady contacts without [supply] "
+                         "have no oil content");
+  }
   constexpr double rounding = 1e-12;
   if (!cycle) return;
-  for (const double T : cycle->times)
-    if (T <= input.parameters.end * (1.0 + rounding) && (input.states.empty() || T > input.states.back()))
-      input.states.push_back(T);
+  for (const double T : cycle->times) {
+    if (T > input.parameters.end * (1.0 + rounding)) break;
+    if (!input.states.empty() && T == input.states.back())
+      return transient.complain("mode",
+                                "in_time is the only mode if the table jumps (two rows with one time), because "
+                                "there are two steady states at that time");
+    input.states.push_back(T);
+  }
 }
 
 // in: otherwise, the longest step if the deck gives none.

@@ -81,7 +81,8 @@ void complain_of(Case& input, const std::string& what) {
 }
 
 void check_speed(Case& input, const char* name, const transient::Schedule& speed, double Pe, double at_start) {
-  const double least = transient::least(speed, input.transient->parameters.end), slowest = Pe / at_start * least;
+  const double least = transient::least(speed, input.transient->parameters.end);
+  const double slowest = at_start == 0.0 ? 0.0 : Pe / at_start * least;
   if (slowest >= least_peclet) return;
   complain_of(input, fmt::format("needs surfaces that are fast in time, because heat then flows into them along the "
                                  "normal only: u a over the diffusivity of surface {} falls to {:.2g}, and {:g} are "

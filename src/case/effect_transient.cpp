@@ -98,8 +98,8 @@ std::string what(const Case& input) {
 bool is_rough(const Case& input) {
   const auto comes = [&](const CarriedSurface* one) {
     const auto* map = std::get_if<surface::HeightMap>(&one->relief);
-    return map &&
-           travel_of(*one, *input.transient).to + 0.5 * map->length_x() > -contact::extent(input.scene.contact.shape).X;
+    return map && travel_of(*one, *input.transient).farthest + 0.5 * map->length_x() >
+                      -contact::extent(input.scene.contact.shape).X;
   };
   return std::ranges::any_of(carried(input.surfaces), comes);
 }

@@ -46,7 +46,7 @@ void check_geometry(deck::Deck& deck, const Physics& physics, const transient::I
   const std::string what = bends ? "a radius_x that varies" : "a reversal of the motion";
   if (contact::gap(physics.groups.shape).oblique())
     transient.complain(transient.given("cycle") ? "cycle" : "u1",
-                       what + " is not available for an ellipse at an angle to the motion: set [contact] angle = 0");
+                       what + " is not available for an ellipse at an angle to the motion: set [motion] angle = 0");
   if (deck::called_for(deck, "thermal"))
     transient.complain(transient.given("cycle") ? "cycle" : "u1",
                        what + " is not available with [thermal]: remove one of them");
@@ -87,7 +87,12 @@ const transient::Schedule& speed_of(const CarriedSurface& surface, const transie
 
 Travel travel_of(const CarriedSurface& surface, const transient::Input& input) {
   const double X = std::visit([](const auto& relief) { return relief.X; }, surface.relief);
-  return {X, X + transient::integral(speed_of(surface, input), input.parameters.end)};
+  const auto place = [&](double T) { return X + transient::integral(speed_of(surface, input), T); };
+  const double end = input.parameters.end;
+  Travel travel{X, place(end), X};
+  constexpr int samples = 1000;  // a motion that reverses may go farther than it ends
+  for (int k = 1; k <= samples; ++k) travel.farthest = std::max(travel.farthest, place(end * k / samples));
+  return travel;
 }
 
 double time_to_move(const CarriedSurface& surface, const transient::Input& input, double distance) {

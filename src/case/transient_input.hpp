@@ -19,10 +19,11 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
 /// What the deck's drive in time means for the far field.
 transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics);
 
-/// X of the centre of a surface's relief at time 0 and at the end.
+/// X of the centre of a surface's relief at time 0 and at the end, and the largest one in between.
 struct Travel {
   double from = 0.0;
   double to = 0.0;
+  double farthest = 0.0;
 };
 /// The path of a surface during a run in time.
 Travel travel_of(const CarriedSurface& surface, const transient::Input& input);

@@ -144,6 +144,7 @@ double between(const std::vector<StepRow>& states, double T, double StepRow::*va
   if (after == states.end()) return T > states.back().T ? core::unknown : states.back().*value;
   if (after == states.begin() || after->T == T) return *after.*value;
   const StepRow& before = after[-1];
+  if (before.speed * after->speed < 0.0) return core::unknown;  // the film vanishes between them
   const double share = (T - before.T) / (after->T - before.T);
   return before.*value + share * (*after.*value - before.*value);
 }

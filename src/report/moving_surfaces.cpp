@@ -26,7 +26,7 @@ void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& 
   const double inlet = -contact::extent(input.scene.contact.shape).X;
   const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one.relief).length_x();
   const Travel travel = travel_of(one, *input.transient);
-  if (std::max(travel.from, travel.to) + ahead >= inlet) return;
+  if (travel.farthest + ahead >= inlet) return;
   const double arrival = time_to_move(one, *input.transient, inlet - ahead - travel.from);
   const std::string remedy = std::isnan(arrival)
                                  ? "it does not move towards the contact: choose x closer to it, or another speed"

@@ -37,7 +37,14 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_table_is_refused) {
       {"a late start", "t,load\n1,1\n8,1\n", "", {"t = 0"}},
       {"times that fall", "t,load\n0,1\n4,1\n3,1\n8,1\n", "", {"c.csv:4", "t falls"}},
       {"an open cycle", "t,load\n0,1\n8,1.5\n", "", {"cycle_repeats = off", "load"}},
-      {"no radius", "t,radius_x\n0,1\n4,0\n8,1\n", "", {"radius_x", "positive"}},
+      {"no radius", "t,radius_x\n0,1\n4,0\n8,1\n", "", {"c.csv:3", "radius_x", "0.001 to 1000"}},
+      {"a huge radius", "t,radius_x\n0,1\n4,1e30\n8,1\n", "", {"c.csv:3", "radius_x", "0.001 to 1000"}},
+      {"states at a jump", "t,load\n0,1\n4,1\n4,2\n8,1\n", "mode = both\n", {"mode", "jumps"}},
+      {"states without oil content",
+       "t,load\n0,1\n8,1\n",
+       "mode = quasi_steady\ncavitation = content\n",
+       {"mode", "cavitation = pressure"}},
+      {"a tolerance of no use", "t,load\n0,1\n8,1\n", "mode = quasi_steady\nrtol = 1e-3\n", {"rtol", "no influence"}},
       {"no load", "t,load\n0,1\n4,0\n8,1\n", "", {"load"}},
       {"two loads", "t,load\n0,1\n8,1\n", "load = 1:1 2:2\n", {"load", "remove one"}},
       {"many periods", "t,load\n0,1\n1e-4,1\n", "", {"cycle", "periods"}},
@@ -56,6 +63,19 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_table_is_refused) {
                          {"a short outlet", dimensionless + "cycle = c.csv\n[domain]\nx_outlet = 2\n", {"x_outlet"}});
   for (const char* key : {"cycle_repeats = off\n", "stop_periodic = 1e-3\n", "mode = both\n"})
     support::check_refused(folder, {key, dimensionless + key, {"cycle"}});
+}
+
+// Between two rows with opposite directions the film vanishes, and no number is drawn through that time.
+BOOST_AUTO_TEST_CASE(no_state_is_interpolated_through_rest) {
+  const support::TemporaryFolder folder;
+  folder.write("c.csv", "t,u1,u2\n0,1,1\n4,-1,-1\n8,1,1\n");
+  const results::ResultFile file = support::solved(folder, "d", dimensionless + "cycle = c.csv\nmode = both\n");
+  const auto column = [&](const char* name) { return file.numbers(std::string("/transient/") + name).values; };
+  const std::vector<double> films = column("Hc_quasi_steady"), times = column("time");
+  int between = 0;
+  for (std::size_t k = 0; k < films.size(); ++k) between += times[k] > 0.0 && times[k] < 4.0 && std::isfinite(films[k]);
+  BOOST_TEST_MESSAGE(between << " quasi-steady films between the states at 0 and 4 (0)");
+  BOOST_TEST((times.size() > 10 && between == 0));
 }
 
 // The columns of a table in SI become values relative to the contact; quasi-steady films stand next to those in time.
