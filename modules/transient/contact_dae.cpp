@@ -174,7 +174,7 @@ double ContactDae::least_film(std::span<const double> y) {
   rheology::density(hierarchy_.problem.film.density, y.first(nodes_), rho_);
   double least = std::numeric_limits<double>::infinity();
   const multigrid::Level& level = hierarchy_.levels.back();
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+  for_nodes(level.grid, reversed_, [&](int i, int j, std::size_t k) {
     const double E = control_.coupling ? stored_share_(i, j) * level.factors->carried(i, j) : 1.0;
     if (!conserves_mass() || y[k] > 0.0) least = std::min(least, y[nodes_ + k] / (E * rho_[k]));
   });

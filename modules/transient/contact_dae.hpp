@@ -65,7 +65,8 @@ struct OilInTime {
 /// which the multigrid cycles solve from the predicted state. With a moving body y = (P, Q, H00, V), and
 ///   H00' = V,   mass V' + damping V = integral P/W - load(T)
 /// replace the last equation; in an implicit step V and V' follow from H00, so the required load is linear in H00. With
-/// a closed far field P on the boundary follows from H00 and H00', and the integral includes the load outside. Where
+/// a closed far field P on the boundary follows from H00 and H00', and the integral includes the load outside.
+///
 /// With an effect on the coefficients, whose factors are C on what the surfaces carry and E on what the gap holds, the
 /// unknown Q is E rho_bar H, and the transport term is U (C rho_bar H)_X; cj (E - C) rho_bar H stands on the right-hand
 /// side, where every cycle renews it. Where mass is conserved Q of a cavitated node is an unknown, and the last unknown

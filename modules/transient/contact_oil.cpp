@@ -12,7 +12,7 @@ namespace ehl::transient {
 double ContactDae::content(int i, int j) const {
   const multigrid::Level& level = hierarchy_.levels.back();
   const double Q = conserves_mass() ? level.content->Q(i, j) : level.rho_bar(i, j) * level.H(i, j);
-  return control_.coupling ? stored_share_(i, j) * Q : Q;
+  return stored_share(i, j) * Q;
 }
 
 // True for cavitated nodes of y and for nodes so close that the film edge may reach them within a step. When the edge

@@ -25,9 +25,8 @@ std::vector<deck::Key> cycle_keys() {
           source("modules/transient/README.md")),
       key("mode", words({"in_time", "quasi_steady", "both"}), by_default("in_time"), needs("cycle"),
           "in_time: the run in time. quasi_steady: the steady state under the load, radius and speed of each row of "
-          "the "
-          "table by itself, as the rows of the same table of results. both: the run in time, with the quasi-steady "
-          "films as columns. Where the speed is 0 there is no steady film, and no number.",
+          "the table by itself, as the rows of the same table of results. both: the run in time, with the "
+          "quasi-steady films as columns. Where the speed is 0 there is no steady film, and no number.",
           source("modules/transient/README.md")),
   };
 }

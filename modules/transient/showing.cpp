@@ -44,7 +44,7 @@ bool Showing::show(const StepReport& step) {
   if (period_.add(row)) periodic_ = period_.change() <= parameters_.stop_periodic;
   report.periods = period_.periods();
   report.change_of_period = period_.change();
-  return show_row(row);
+  return !observer_.row || observer_.row(row);
 }
 
 void Showing::show_frame(double T) {

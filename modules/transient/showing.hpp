@@ -18,8 +18,6 @@ class Showing {
   bool show(const StepReport& step);
   /// Hands out the present fields.
   void show_frame(double T);
-  /// Hands out a row that no state belongs to. returns as show().
-  bool show_row(const StepRow& row) { return !observer_.row || observer_.row(row); }
 
   bool at_rest() const { return at_rest_; }
   bool periodic() const { return periodic_; }
