@@ -42,7 +42,7 @@ void in_registers(const std::array<std::span<const double>, inputs>& in,
       });
 }
 
-/// The same for one input and one output.
+/// Sets one output to f of one input.
 template <class Function>
 void in_registers(std::span<const double> in, std::span<double> out, Function f) {
   in_registers(std::array{in}, std::array{out}, [&](Lanes values) { return std::array{f(values)}; });

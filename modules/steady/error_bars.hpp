@@ -11,7 +11,7 @@ struct Solution;
 
 /// Parts of a relative error, each an estimate; NaN if unknown.
 struct ErrorBar {
-  /// Of the mesh (error_estimate.hpp), from the grid sequence; rough with one grid.
+  /// The part of the mesh (error_estimate.hpp), from the grid sequence; rough with one grid.
   double discretization = core::unknown;
   double algebraic = core::unknown;  ///< what further cycles would change (judgement/stopping.hpp)
   /// The error on this domain: the sum of both.
