@@ -130,7 +130,6 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
   multigrid::renew_load_outside(hierarchy_, level);
-  hierarchy_.outside_line = {};
   return result;
 }
 
@@ -162,11 +161,14 @@ StageResult ContactDae::respond(const Stage& stage, Iteration kind, double& rate
 // A state that the cycles cannot treat, such as a film outside the range of the closed far field, calls for a shorter
 // step.
 StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
+  StageResult result{.solved = false};
   try {
-    return solved(stage, drive, correction);
+    result = solved(stage, drive, correction);
   } catch (const core::SolverError&) {
-    return {.solved = false};
+    result = {.solved = false};
   }
+  hierarchy_.outside_line = {};
+  return result;
 }
 
 StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span<double> correction) {
