@@ -30,7 +30,7 @@ if (driven) {
   eval panel(3)
   set format x "%g"
   set xlabel axis_T offset 0, 0.4
-  set ylabel "over the start"
+  set ylabel bends ? "F/F_0, R/R_0, u/u_m" : "F/F_0, u/u_m"
   if (S_min < 0) { set yrange [*:*]; set xzeroaxis }
   plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
        for [k = 1:bends] $table_transient using (T(column("time"))):(bends ? column("radius_x") : NaN) with lines lw 1 dt (2, 2) lc rgb red title bends > 0 ? "radius" : "", \

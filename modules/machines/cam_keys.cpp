@@ -144,7 +144,7 @@ Contact read_cam(const deck::Part& part) {
   const Cam cam = with_lift(part, given);
   if (!part.deck.errors.empty()) return contact;
 
-  const double omega = rpm * core::pi / 30.0, period = revolution / omega;
+  const double omega = rpm * core::pi / 30.0, period = 60.0 / rpm;
   part.follow("angle", cam.lift.x.front() / degree, "the first angle of the table");
   const double start = part.given("angle") ? asked * degree : cam.lift.x.front();
   std::vector<CourseState> states;

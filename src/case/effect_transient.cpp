@@ -89,8 +89,9 @@ std::string extremes_of_cycle(const Case& input) {
   const std::optional<SiInput>& si = input.physics.si;
   const double u_m = si ? 0.5 * si->contact.u_s : 1.0;
   const auto range = [](const char* name, const std::vector<double>& values, double factor, const char* unit) {
-    if (values.size() < 2) return std::string();
+    if (values.empty()) return std::string();
     const auto [least, most] = std::ranges::minmax(values);
+    if (least == most) return std::string();
     return fmt::format(", {} {:.5g} to {:.5g}{}", name, factor * least, factor * most, unit);
   };
   const auto values_of = [](const transient::Schedule& schedule) {
