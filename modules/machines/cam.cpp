@@ -22,7 +22,7 @@ CamState state_at(const Cam& cam, double phi, double omega) {
   const bool rises = angle <= cam.lift.x.back();
   const SplineValue s = rises ? at(cam.lift, angle) : SplineValue{};
   const double R = cam.base_radius + s.value + s.second;
-  const double sprung = cam.preload + cam.stiffness * s.value + cam.mass * omega * omega * s.second;
+  const double sprung = cam.spring_force + cam.spring_stiffness * s.value + cam.mass * omega * omega * s.second;
   const double load = cam.load ? at(*cam.load, std::min(angle, cam.load->x.back())).value : sprung;
   return {s.value, s.second, R, omega * R, omega * s.second, load};
 }

@@ -13,11 +13,11 @@ namespace ehl::machines {
 /// Lengths in m, angles in radians.
 struct Cam {
   double base_radius;
-  Spline lift;                   ///< over one revolution, or over a part of it outside of which the lift is 0
-  std::optional<Spline> load{};  ///< [N], linear between the same angles; nullopt: spring and inertia give it
-  double preload = 0.0;          ///< force of the spring at lift 0 [N]
-  double stiffness = 0.0;        ///< of the spring [N/m]
-  double mass = 0.0;             ///< that moves with the tappet [kg]
+  Spline lift;                    ///< over one revolution, or over a part of it outside of which the lift is 0
+  std::optional<Spline> load{};   ///< [N], linear between the same angles; nullopt: spring and inertia give it
+  double spring_force = 0.0;      ///< force of the spring at lift 0 [N]
+  double spring_stiffness = 0.0;  ///< of the spring [N/m]
+  double mass = 0.0;              ///< that moves with the tappet [kg]
 };
 
 /// State of the contact at one angle.
@@ -27,7 +27,8 @@ struct CamState {
   double R;       ///< r_b + s + s"; not positive where the flank is too concave for a flat tappet
   double u1;      ///< of the cam [m/s]
   double u2;      ///< of the tappet
-  double load;    ///< preload + stiffness s + mass omega^2 s", or that of the table; not positive: the tappet lifts off
+  double load;  ///< spring_force + spring_stiffness s + mass omega^2 s", or that of the table; not positive: the tappet
+                ///< lifts off
 };
 /// in: any angle; omega > 0 [rad/s].
 CamState state_at(const Cam& cam, double phi, double omega);

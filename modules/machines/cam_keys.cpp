@@ -34,10 +34,11 @@ deck::Records<Cam> records() {
            "Width over which cam and tappet touch."),
        key("rpm", required(computed_from_it), unit("1/min"), up_to(1e6), example("1000"),
            "Speed of the camshaft. The angle of the table rises with time."),
-       key("preload", &Cam::preload, unit("N"), not_negative, example("200"), otherwise("0"),
+       key("spring_force", &Cam::spring_force, unit("N"), not_negative, example("200"), otherwise("0"),
            "Force of the spring where the lift is 0."),
-       key("stiffness", &Cam::stiffness, unit("N/m"), not_negative, example("30e3"), otherwise("0"),
-           "Stiffness of the spring: the load is preload + stiffness lift + mass (acceleration of the lift)."),
+       key("spring_stiffness", &Cam::spring_stiffness, unit("N/m"), not_negative, example("30e3"), otherwise("0"),
+           "Stiffness of the spring: the load is spring_force + spring_stiffness lift + mass (acceleration of the "
+           "lift)."),
        key("mass", &Cam::mass, unit("kg"), not_negative, example("0.15"), otherwise("0"),
            "Mass that moves with the tappet."),
        key("angle", unit("degrees"), Range{-360.0, 720.0}, otherwise("the first of the table"), example("0"),
@@ -95,10 +96,10 @@ Cam with_lift(const deck::Part& part, Cam cam) {
   if (whole) angles.back() = angles.front() + revolution;
   cam.lift = whole ? periodic_spline(angles, lifts) : clamped_spline(angles, lifts);
   if (!table.present[2]) {
-    part.demand({"preload"}, "the lift table has no column load: give the spring");
+    part.demand({"spring_force"}, "the lift table has no column load: give the spring");
     return cam;
   }
-  part.refuse({"preload", "stiffness", "mass"}, "the lift table has a column load: remove one of them");
+  part.refuse({"spring_force", "spring_stiffness", "mass"}, "the lift table has a column load: remove one of them");
   if (loads.back() != loads.front())
     part.complain("lift", fmt::format("the loads of the first and the last row must be equal, but are {:g} and {:g} N",
                                       loads.front(), loads.back()));
@@ -125,7 +126,7 @@ void check_states(const deck::Part& cam, const std::vector<CourseState>& states)
                                      "only; the base circle is too small, or the lifts have too few digits",
                                      sharpest.place, sharpest.radius_x));
   if (!(lightest.load > 0.0))
-    cam.complain(cam.given("preload") ? "preload" : "lift",
+    cam.complain(cam.given("spring_force") ? "spring_force" : "lift",
                  fmt::format("{}: the load is {:.4g} N, so the tappet lifts off: use a stronger spring, less mass or a "
                              "lower speed",
                              lightest.place, lightest.load * cam.number("face_width")));
@@ -157,17 +158,17 @@ Contact read_cam(const deck::Part& part) {
   contact.course = course_of(states);
 
   const CamState at_angle = state_at(cam, start, omega);
-  contact.numbers = {
-      {"period", period, "s", "60/rpm"},
-      {"largest_lift", std::ranges::max(cam.lift.y), "m", "of the table"},
-      {"error_of_curvature", error_of_second(cam), "m",
-       "of s\" = d2s/dphi2, from a spline through every second row of the table"},
-      {"lift_here", at_angle.lift, "m", "s at the angle"},
-      {"radius_x", at_angle.R, "m", "base_radius + s + s\" (Dyson and Naylor 1960)"},
-      {"u1", at_angle.u1, "m/s", "(pi rpm/30) radius_x, of the cam past the contact"},
-      {"u2", at_angle.u2, "m/s", "(pi rpm/30) s\", of the tappet past the contact"},
-      {"load", at_angle.load, "N", cam.load ? "of the table" : "preload + stiffness s + mass (pi rpm/30)^2 s\""},
-      {"load_per_length", at_angle.load / width, "N/m", "load/face_width"}};
+  contact.numbers = {{"period", period, "s", "60/rpm"},
+                     {"largest_lift", std::ranges::max(cam.lift.y), "m", "of the table"},
+                     {"error_of_curvature", error_of_second(cam), "m",
+                      "of s\" = d2s/dphi2, from a spline through every second row of the table"},
+                     {"lift_here", at_angle.lift, "m", "s at the angle"},
+                     {"radius_x", at_angle.R, "m", "base_radius + s + s\" (Dyson and Naylor 1960)"},
+                     {"u1", at_angle.u1, "m/s", "(pi rpm/30) radius_x, of the cam past the contact"},
+                     {"u2", at_angle.u2, "m/s", "(pi rpm/30) s\", of the tappet past the contact"},
+                     {"load", at_angle.load, "N",
+                      cam.load ? "of the table" : "spring_force + spring_stiffness s + mass (pi rpm/30)^2 s\""},
+                     {"load_per_length", at_angle.load / width, "N/m", "load/face_width"}};
   for (Number& one : extremes_of(states, true)) contact.numbers.push_back(std::move(one));
   return contact;
 }

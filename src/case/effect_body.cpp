@@ -94,6 +94,10 @@ Effect body_effect() {
                     transient::natural_frequency(body) / (2.0 * std::numbers::pi));
               },
           .summary = summary,
+          .add_content =
+              [](const Case& input, const Computed& computed, results::Content& content) {
+                numbers::append("body", {input, computed}, content.summary);
+              },
           .example = {"body.mass=2"},
           .upon = "transient"};
 }

@@ -94,7 +94,7 @@ std::string printed(const Case& input, const Computed& computed, bool profile) {
     if (effect.summary) of_effects += effect.summary(input, computed);
     if (effect.warnings) of_effects += warning_lines(effect.warnings(input, computed));
   }
-  // Of bodies that start separated, the steady contact is only the reference of the scales.
+  // If the bodies start separated, the steady contact is only the reference of the scales.
   const bool separated = input.transient && input.transient->conditions.body && input.transient->conditions.body->gap;
   std::string text = "case         " + input.title + "\n";
   text += separated ? of_effects + of_contact : of_contact + of_effects;

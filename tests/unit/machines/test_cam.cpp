@@ -23,7 +23,11 @@ Cam eccentric(int rows) {
     lifts.push_back(lift(angles.back()));
   }
   lifts.back() = lifts.front();
-  return {.base_radius = base, .lift = periodic_spline(angles, lifts), .preload = 300.0, .stiffness = 2e4, .mass = 0.4};
+  return {.base_radius = base,
+          .lift = periodic_spline(angles, lifts),
+          .spring_force = 300.0,
+          .spring_stiffness = 2e4,
+          .mass = 0.4};
 }
 
 // The largest error of s" relative to e.
@@ -76,7 +80,7 @@ BOOST_AUTO_TEST_CASE(outside_of_its_table_is_the_base_circle) {
     angles.push_back(k * pi / 180.0);
     lifts.push_back(half_lift * std::pow(1.0 - k * k / 5625.0, 3));
   }
-  const Cam cam{.base_radius = base, .lift = clamped_spline(angles, lifts), .preload = 100.0};
+  const Cam cam{.base_radius = base, .lift = clamped_spline(angles, lifts), .spring_force = 100.0};
   for (const double phi : {pi, -pi, 1.01 * end, -1.01 * end}) {
     BOOST_TEST(state_at(cam, phi, omega).R == base);
     BOOST_TEST(state_at(cam, phi, omega).load == 100.0);
