@@ -9,10 +9,12 @@ stats $table_transient using "time" nooutput prefix "T"
 probes = 0
 quasi = 0
 bends = 0
+heated = 0
 do for [one in $table_transient[1]] {
   probes = probes + (one[1:2] eq "P_" && one[1:5] ne "P_max")
   quasi = quasi + (one eq "Hc_quasi_steady")
   bends = bends + (one eq "radius_x")
+  heated = heated + (one eq "T_film_max")
 }
 # A column that a table has only with quasi-steady states.
 steady(name) = quasi ? column(name) : NaN
@@ -24,8 +26,11 @@ set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 alike(low, high) = high - low <= 1e-9 * (abs(low) + abs(high))
 span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 * low : 0, high > 0 ? 2 * high : 1) : \
     "set yrange [*:*]"
-# Probes and quasi-steady films take a second line of the key.
-if (probes > 0 || quasi > 0) { top = top + 4 }
+# The key of the film has as many rows as its entries need; gnuplot makes all columns as wide as the longest one.
+longest_entry = quasi > 0 ? 12 : 7
+do for [k = 1:probes] { longest_entry = greater(longest_entry, strlen(place(k))) }
+entries_in_row = int((wide - m(21)) / (mm_of(longest_entry) + m(7)))
+top = top + 4 * ((1 + quasi + probes) / (entries_in_row > 0 ? entries_in_row : 1))
 # Panel k of `panels`, counted from the top, with space for labels with three decimals.
 share = "(high - m(top + 9.5)) / panels"
 panel(k) = box(m(17), m(4), high - m(top + 4) - k * @share + m(4.5), m(top + 4) + (k - 1) * @share).(k > 1 ? "; unset label 100; " : "; ").key_above

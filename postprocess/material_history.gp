@@ -30,7 +30,7 @@ do for [k = 1:2] {
     set yrange [*:*]
     stats "< ".read.path(body, name(k))." --along x" using 1 nooutput prefix "X"
     set xrange [X_min:X_max]
-    set xtics steps_of(X_max - X_min)
+    set xtics steps_along(X_min, X_max, wide - m(42))
     set yrange [D_max:0]
     set ytics steps_of(D_max) * 2
     set ylabel axis_Z offset -0.5, 0

@@ -1,4 +1,4 @@
-# figure: friction in time: coefficients of sliding and rolling, power, film, load and speeds
+# figure: friction in time: coefficients of sliding and rolling, power, temperatures, film, load and speeds
 # needs: /transient/mu
 figure = "transient_friction"
 here = system(sprintf("dirname '%s'", ARG0))
@@ -7,7 +7,7 @@ load here."/result.gp"
 load here."/in_time.gp"
 
 probes = 0
-panels = 5
+panels = 5 + heated
 high = 27 * stretch * panels + m(top + 8)
 # Before any panel sets a range, which `stats` would obey.
 stats $table_transient using "mu" nooutput prefix "U"
@@ -38,7 +38,15 @@ eval panel(4)
 set yrange [*:*]
 set ytics auto
 load here."/film_in_time.gp"
-eval panel(5)
+if (heated) {
+  eval panel(5)
+  set ylabel "T - T_{oil} [K]" offset 1, 0
+  set yrange [0:*]
+  plot $table_transient using (T(column("time"))):(heated ? column("T_film_max") : NaN) with lines lw 1 lc rgb red title "film", \
+       $table_transient using (T(column("time"))):(heated ? column("T1_max") : NaN) with lines lw 1 dt (6, 3) lc rgb blue title "body 1", \
+       $table_transient using (T(column("time"))):(heated ? column("T2_max") : NaN) with lines lw 1 dt (2, 2) lc rgb green title "body 2"
+}
+eval panel(panels)
 set format x "%g"
 set xlabel axis_T offset 0, 0.4
 set ylabel "F/F_0, u/u_m" offset 1, 0

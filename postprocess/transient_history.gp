@@ -23,14 +23,14 @@ if (P_max > 0) { set yrange [0:*] } else { set yrange [0:1] }
 set format x panels == 2 ? "%g" : ""
 if (panels == 2) { set xlabel axis_T offset 0, 0.4 }
 plot $table_transient using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
-     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("P_max_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" title quasi > 0 ? "quasi-steady" : "", \
+     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("P_max_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" notitle, \
      for [k = 1:probes] $table_transient using (T(column("time"))):(probes > 0 ? column(sprintf("P_%d", k)) : NaN) with lines lw 0.8 \
-         lc rgb probe_colour(k) title probes > 0 ? place(k) : ""
+         lc rgb probe_colour(k) notitle
 if (driven) {
   eval panel(3)
   set format x "%g"
   set xlabel axis_T offset 0, 0.4
-  set ylabel "over the start"
+  set ylabel bends ? "F/F_0, R/R_0, u/u_m" : "F/F_0, u/u_m"
   if (S_min < 0) { set yrange [*:*]; set xzeroaxis }
   plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \
        for [k = 1:bends] $table_transient using (T(column("time"))):(bends ? column("radius_x") : NaN) with lines lw 1 dt (2, 2) lc rgb red title bends > 0 ? "radius" : "", \

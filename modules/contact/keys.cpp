@@ -133,11 +133,13 @@ bool kind_is_refused(const deck::Part& contact) { return !deck::value(contact.de
 
 std::string load_name(const deck::Part& contact) { return is_line(contact.deck) ? "load_per_length" : "load"; }
 
-Bodies read_bodies(const deck::Part& contact) {
-  const std::string load = load_name(contact);
-  if (!kind_is_refused(contact))
-    contact.demand({load, "radius_x"}, "a contact in SI needs " + load + ", radius_x and the elastic moduli");
-  const auto number = [&](const char* name) { return contact.number(name); };
+// E' without coatings; NaN if the deck lacks moduli.
+double modulus_of(const deck::Part& contact) {
+  if (contact.given("E_prime")) return contact.number("E_prime");
+  return reduced_modulus({contact.number("E1"), contact.number("nu1")}, {contact.number("E2"), contact.number("nu2")});
+}
+
+void check_moduli(const deck::Part& contact) {
   const Names moduli = contact.given_of(four_moduli);
   if (contact.given("E_prime"))
     contact.refuse(moduli, "E_prime is given as well: keep either E_prime or E1, nu1, E2, nu2");
@@ -145,10 +147,16 @@ Bodies read_bodies(const deck::Part& contact) {
     contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2", deck::Cause::missing);
   else
     contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
-  const Elastic first{number("E1"), number("nu1")}, second{number("E2"), number("nu2")};
-  const double E_prime = contact.given("E_prime") ? number("E_prime") : reduced_modulus(first, second);
-  return {.load = number(load.c_str()),
-          .radius = number("radius_x"),
+}
+
+Bodies read_bodies(const deck::Part& contact) {
+  const std::string load = load_name(contact);
+  if (!kind_is_refused(contact))
+    contact.demand({load, "radius_x"}, "a contact in SI needs " + load + ", radius_x and the elastic moduli");
+  check_moduli(contact);
+  const double E_prime = modulus_of(contact);
+  return {.load = contact.number(load),
+          .radius = contact.number("radius_x"),
           .E_prime = E_prime,
           .E_prime_uncoated = E_prime,
           .coatings = read_coatings(contact)};
@@ -227,6 +235,19 @@ Input read(deck::Deck& deck, bool slides) {
   input.shape = read_shape(contact, motion, input);
   if (contact.deck.errors.empty()) input.bodies.E_prime = equivalent_modulus(input.bodies, input.shape);
   return input;
+}
+
+ElasticShape elastic_shape(deck::Deck& deck) {
+  const deck::Part contact{deck, "contact"};
+  const double radius = contact.number("radius_x"), radius_y = contact.number("radius_y");
+  const double of_radii = contact.given("radius_y") ? radius / radius_y : 1.0;
+  const double ratio = contact.given("radius_ratio") ? contact.number("radius_ratio") : of_radii;
+  ElasticShape found{.radius = radius, .E_prime = modulus_of(contact)};
+  if (!contact.key("radius_ratio").range.contains(ratio))
+    found.radius = silent;
+  else if (ratio != 1.0)
+    found.shape = ellipse(ratio, 0.0);
+  return found;
 }
 
 std::optional<Bodies> read_bodies(deck::Deck& deck) {

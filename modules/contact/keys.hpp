@@ -42,6 +42,14 @@ std::vector<deck::Key> keys();
 Input read(deck::Deck& deck, bool slides);
 /// True if [contact] kind = line.
 bool is_line(deck::Deck& deck);
+/// E', R_x and shape of a point contact in SI without coatings, which do not depend on its load. NaN for what is
+/// missing or wrong, which read() reports.
+struct ElasticShape {
+  double radius = silent;   ///< R_x [m]
+  double E_prime = silent;  ///< [Pa]
+  Ellipse shape{};
+};
+ElasticShape elastic_shape(deck::Deck& deck);
 /// Bodies of a contact without lubricant; nullopt if the deck defines no contact in SI.
 std::optional<Bodies> read_bodies(deck::Deck& deck);
 

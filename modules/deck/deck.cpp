@@ -71,9 +71,8 @@ namespace {
 bool holds(const Deck& deck, const Key& key, const Condition& needs) {
   const std::string& section = needs.section.empty() ? key.section : needs.section;
   if (needs.name.empty()) return called_for(deck, section);
-  const Value& other = value(deck, section, needs.name);
-  return needs.words.empty() ? other.origin == Origin::given
-                             : std::ranges::find(needs.words, other.text) != needs.words.end();
+  if (needs.words.empty()) return given(deck, section, needs.name);
+  return std::ranges::find(needs.words, value(deck, section, needs.name).text) != needs.words.end();
 }
 
 }  // namespace

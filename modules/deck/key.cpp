@@ -1,5 +1,6 @@
 #include "deck/key.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "deck/text.hpp"
@@ -58,7 +59,8 @@ std::vector<Key> only_with(const Condition& other, std::vector<Key> keys) {
 }
 
 bool names_file(const Key& key, const std::string& value) {
-  if (key.names != Names::file_or_list) return key.names == Names::file;
+  if (key.names != Names::file_or_list)
+    return key.names == Names::file && std::ranges::find(key.words, value) == key.words.end();
   const std::string first = value.substr(0, value.find_first_of(": \t"));
   return read_number(first).status != ReadNumber::Status::number;
 }

@@ -9,8 +9,8 @@ namespace ehl::deck {
 
 enum class Type { number, integer, word, words, text };
 
-/// What the value of a key names: nothing; a file, whatever its ending; or a file unless the value is a list, "1:1
-/// 2:0".
+/// What the value of a key names: nothing; a file, whatever its ending, unless it is one of the words of the key; or a
+/// file unless the value is a list, "1:1 2:0".
 enum class Names { nothing, file, file_or_list };
 
 /// Which whole numbers a key allows.
@@ -114,7 +114,7 @@ std::vector<Each> together(std::initializer_list<std::vector<Each>> lists) {
 inline std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) { return together<Key>(lists); }
 
 /// True if this value of the key is the name of a file. A value of Names::file_or_list is a list if its first word, up
-/// to a colon, is a number.
+/// to a colon, is a number. A word that the key allows is no file.
 bool names_file(const Key& key, const std::string& value);
 
 /// The record of a key, or nullptr.

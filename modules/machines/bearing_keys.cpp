@@ -148,16 +148,18 @@ double add_load(const deck::Part& bearing, bool ball, std::vector<Number>& numbe
 
 std::vector<deck::Key> bearing_keys() { return deck::keys_of("bearing", records()); }
 
-std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
+Contact read_bearing(const deck::Part& bearing, bool ball) {
+  Contact contact{.section = "bearing",
+                  .what = (ball ? "ball on the " : "roller on the ") + bearing.word("race") + " race"};
   const Bearing given = deck::read(bearing, records());
   const Turning turning_given = read_turning(bearing);
   if (ball && bearing.given("radial_load") && given.contact_angle > 0.0)
     bearing.complain("radial_load",
                      "implies an axial load if there is a contact angle: give load, that on the ball, instead");
   if (bearing.deck.errors.empty()) check_space(bearing, given);
-  if (!bearing.deck.errors.empty()) return {};
+  if (!bearing.deck.errors.empty()) return contact;
 
-  std::vector<Number> numbers;
+  std::vector<Number>& numbers = contact.numbers;
   add_shape(bearing, given, ball, numbers);
   const Turning turning = complete(turning_given, gamma(given));
   add_speeds(given, turning, numbers);
@@ -165,7 +167,7 @@ std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
   const double load = add_load(bearing, ball, numbers);
   numbers.push_back({"load", load, "N", bearing.given("load") ? "as given" : "load_factor F_r/Z"});
   if (!ball) numbers.push_back({"load_per_length", load / bearing.number("length"), "N/m", "load/length"});
-  return numbers;
+  return contact;
 }
 
 }  // namespace ehl::machines

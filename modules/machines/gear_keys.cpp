@@ -1,10 +1,12 @@
 // Keys of [gear], and the numbers that follow from them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
 #include "deck/record.hpp"
+#include "machines/course.hpp"
 #include "machines/gear.hpp"
 #include "machines/keys.hpp"
 
@@ -42,12 +44,17 @@ deck::Records<Gears> mesh_records() {
           "Speed of rotation of wheel 1."),
       key("position", Range{0.0, 1.0}, example("0.5"), otherwise("the pitch point, if it lies on the path of contact"),
           "Point of contact on the path of contact. 0: contact begins, at the tip of wheel 2. 1: contact ends, at the "
-          "tip of wheel 1."),
+          "tip of wheel 1. In time, the state whose scales the results have; the course is the whole path."),
       key("sharing", by_default("linear"), words({"none", "linear"}),
           "How two pairs of teeth share the load. linear: equal stiffness and no tip relief: the share rises from 1/3 "
           "at the beginning of contact to 2/3, is 1 while one pair is alone, and falls from 2/3 to 1/3 at the end; for "
           "a contact ratio below 2. none: every pair carries the whole load.",
-          source("AGMA 925-A03; ISO/TS 6336-20"))};
+          source("AGMA 925-A03; ISO/TS 6336-20")),
+      key("transition", Range{1e-4, 0.1}, by_default("0.01"), in_time,
+          "Part of the path on which the load changes, in a course in time, where the next pair of teeth begins to "
+          "carry and where the last one ceases to: 2/3 to 1 and 1 to 2/3 of the load."),
+      key("states", integer, Range{12, 3600}, by_default("100"), in_time,
+          "Number of states along the path, between which a course in time is linear.")};
 }
 
 deck::Records<Gears> records() {
@@ -133,48 +140,111 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
       {"position_pitch_point", position(path.C), "-", "s = base_radius1 tan(alpha_w)"}};
 }
 
-// in: s, the contact point, from T1.
-std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, const PathOfContact& path, double s) {
+// What follows from the keys of the load.
+struct Drive {
+  double omega1, torque, normal_force, face_width;
+  Sharing sharing;
+  bool by_power;
+};
+
+Drive drive_of(const deck::Part& gear, const PathOfContact& path) {
   const double omega1 = gear.number("rpm1") * core::pi / 30.0;
-  const Mesh mesh = mesh_at(gears, path, s, omega1);
   const bool by_power = gear.given("power");
   const double power = gear.number("power"), given_torque = gear.number("torque1");
   const double torque = by_power ? power / omega1 : given_torque;
-  const double normal_force = torque / path.base_radius1;
-  const Sharing sharing = gear.choice("sharing", {Sharing::none, Sharing::linear});
-  const double of_pair = share(path, s, sharing);
+  return {omega1,
+          torque,
+          torque / path.base_radius1,
+          gear.number("face_width"),
+          gear.choice("sharing", {Sharing::none, Sharing::linear}),
+          by_power};
+}
+
+// in: s, the contact point, from T1.
+std::vector<Number> mesh_numbers(const Gears& gears, const PathOfContact& path, const Drive& drive, double s) {
+  const Mesh mesh = mesh_at(gears, path, s, drive.omega1);
+  const double of_pair = share(path, s, drive.sharing), load = of_pair * drive.normal_force;
   return {{"rho1", mesh.rho1, "m", "radius of curvature of tooth 1, s_begin + position (s_end - s_begin)"},
           {"rho2", mesh.rho2, "m", "radius of curvature of tooth 2, length_T1T2 - rho1"},
           {"radius_x", mesh.R, "m", "rho1 rho2/(rho1 + rho2)"},
           {"u1", mesh.u1, "m/s", "rho1 pi rpm1/30"},
           {"u2", mesh.u2, "m/s", "rho2 (z1/z2) pi rpm1/30"},
           {"sliding_speed", mesh.u1 - mesh.u2, "m/s", "u1 - u2, zero at the pitch point"},
-          {"torque1", torque, "N m", by_power ? "power/(pi rpm1/30)" : "as given"},
-          {"normal_force", normal_force, "N", "torque1/base_radius1, of all pairs together"},
+          {"torque1", drive.torque, "N m", drive.by_power ? "power/(pi rpm1/30)" : "as given"},
+          {"normal_force", drive.normal_force, "N", "torque1/base_radius1, of all pairs together"},
           {"share", of_pair, "-",
-           sharing == Sharing::linear ? "share of this pair of teeth, by AGMA 925-A03 with sharing = linear"
-                                      : "1: with sharing = none every pair carries the whole load"},
-          {"load", of_pair * normal_force, "N", "share times normal_force"},
-          {"load_per_length", of_pair * normal_force / gear.number("face_width"), "N/m", "load/face_width"}};
+           drive.sharing == Sharing::linear ? "share of this pair of teeth, by AGMA 925-A03 with sharing = linear"
+                                            : "1: with sharing = none every pair carries the whole load"},
+          {"load", load, "N", "share times normal_force"},
+          {"load_per_length", load / drive.face_width, "N/m", "load/face_width"}};
+}
+
+// The share of the load along the path, with ramps of the given length instead of the steps at B and D.
+double share_in_time(const PathOfContact& path, double s, Sharing sharing, double ramp) {
+  if (sharing == Sharing::none) return 1.0;
+  for (const auto& [step, outwards] : {std::pair{path.B, -0.5 * ramp}, {path.D, 0.5 * ramp}}) {
+    if (std::abs(s - step) >= 0.5 * ramp) continue;
+    const double outside = share(path, step + outwards, sharing);
+    return outside + (1.0 - outside) * std::abs(s - step - outwards) / ramp;
+  }
+  return share(path, s, sharing);
+}
+
+// The states of one pair of teeth from the beginning of its contact to the end.
+std::vector<CourseState> path_states(const deck::Part& gear, const Gears& gears, const PathOfContact& path,
+                                     const Drive& drive) {
+  const double length = path.E - path.A, ramp = gear.number("transition") * length;
+  const int count = gear.integer("states", 0);
+  if (drive.sharing == Sharing::none)
+    gear.refuse({"transition"}, "has no influence with sharing = none: remove it", deck::Cause::idle);
+  std::vector<double> places;
+  for (int k = 0; k <= count; ++k) places.push_back(path.A + length * k / count);
+  if (drive.sharing == Sharing::linear) {
+    if (!(ramp < std::min(path.D - path.B, path.B - path.A)))
+      gear.complain("transition",
+                    fmt::format("is longer than the part of the path with one pair of teeth, {:.4g}, or than that with "
+                                "two, {:.4g}",
+                                (path.D - path.B) / length, (path.B - path.A) / length));
+    const auto near = [&](double s) {
+      return std::abs(s - path.B) <= 0.5 * ramp || std::abs(s - path.D) <= 0.5 * ramp;
+    };
+    std::erase_if(places, near);
+    for (const double step : {path.B, path.D})
+      for (const double side : {-0.5, 0.5}) places.push_back(step + side * ramp);
+    std::ranges::sort(places);
+  }
+  std::vector<CourseState> states;
+  for (const double s : places) {
+    const Mesh mesh = mesh_at(gears, path, s, drive.omega1);
+    const double load = share_in_time(path, s, drive.sharing, ramp) * drive.normal_force / drive.face_width;
+    states.push_back({fmt::format("{:.4g} of the path of contact", (s - path.A) / length),
+                      (s - path.A) / (drive.omega1 * path.base_radius1), mesh.R, load, mesh.u1, mesh.u2});
+  }
+  return states;
 }
 
 }  // namespace
 
 std::vector<deck::Key> gear_keys() { return deck::keys_of("gear", records()); }
 
-std::vector<Number> read_gear(const deck::Part& gear) {
+Contact read_gear(const deck::Part& gear) {
+  Contact contact{.section = "gear", .what = "teeth of two spur gears", .repeats = false};
   const Gears gears = deck::read(gear, records());
-  if (!gear.deck.errors.empty()) return {};
+  if (!gear.deck.errors.empty()) return contact;
   const PathOfContact path = path_of_contact(gears);
   check_path(gear, path, gear.word("sharing") == "linear");
-  if (!gear.deck.errors.empty()) return {};
+  if (!gear.deck.errors.empty()) return contact;
   if (!gear.given("position")) check_pitch_point(gear, path);
-  if (!gear.deck.errors.empty()) return {};
-  std::vector<Number> numbers = path_numbers(path);
+  if (!gear.deck.errors.empty()) return contact;
+  std::vector<Number>& numbers = contact.numbers;
+  numbers = path_numbers(path);
   gear.follow("position", numbers.back().value, "the pitch point");
   const double s = path.A + gear.number("position") * (path.E - path.A);
-  for (Number& one : mesh_numbers(gear, gears, path, s)) numbers.push_back(std::move(one));
-  return numbers;
+  const Drive drive = drive_of(gear, path);
+  for (Number& one : mesh_numbers(gears, path, drive, s)) numbers.push_back(std::move(one));
+  if (deck::has_influence(gear.deck, gear.key("states")))
+    contact.course = course_of(path_states(gear, gears, path, drive));
+  return contact;
 }
 
 }  // namespace ehl::machines

@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "deck/text_table.hpp"
 
 namespace ehl::machines {
 
@@ -12,11 +15,20 @@ struct Number {
   std::string formula{};  ///< formula and its source
 };
 
+/// The columns of a course, as those of the table that [transient] cycle names: t [s], radius_x [m], load [N, of a line
+/// contact N/m], u1 and u2 [m/s].
+inline constexpr int columns_of_course = 5;
+
 /// Contact of a machine element, in SI.
 struct Contact {
   std::string section{};  ///< section of the deck from which it follows: "bearing"
   std::string what{};     ///< "ball on the inner race"
   std::vector<Number> numbers{};
+  /// What happens to the contact in time, for [transient] cycle = machine; nullopt: the machine has no course.
+  std::optional<deck::ColumnTable> course{};
+  bool repeats = true;  ///< the last row of the course is the first one
+  /// The machine determines speeds only; the other keys of [contact] are the deck's.
+  bool only_moves = false;
 };
 
 }  // namespace ehl::machines

@@ -13,8 +13,11 @@ namespace ehl::transient {
 std::vector<deck::Key> cycle_keys() {
   using namespace deck::record;
   return {
-      key("cycle", file, otherwise("none"), example("cam.csv"),
-          "Text file with the columns t, radius_x, load, u1 and u2, of which all but t may be missing: what is missing "
+      key("cycle", file, words({"machine"}), otherwise("none"), example("cam.csv"),
+          "machine: the course of the cam, the pair of teeth or the stroke that [case] kind names; end_time is then "
+          "one "
+          "course, in seconds, unless it is given. Or a text file with the columns t, radius_x, load, u1 and u2, of "
+          "which all but t may be missing: what is missing "
           "is constant, or has its own key. Linear between the rows. In SI the columns are in m, N (line contacts: "
           "N/m) and m/s, unless the heading names other units; else they are relative to [contact] and [motion]. The "
           "scales a, p_h and u_m of the results remain those of [contact] and [motion].",
@@ -80,14 +83,15 @@ Schedule repeated(const std::vector<deck::ColumnRow>& rows, std::size_t column, 
   return schedule;
 }
 
-}  // namespace
-
-std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scales& scales) {
-  if (!part.given("cycle")) return std::nullopt;
-  const bool SI = scales.in_SI, known = std::isfinite(scales.a);
+// The table of the machine or of the file; nullopt after an error.
+std::optional<deck::ColumnTable> read_table(const deck::Part& part, const std::vector<Quantity>& wanted, bool SI,
+                                            const deck::ColumnTable* of_machine) {
   const bool seconds = part.word("time_unit") == "seconds";
-  const bool line = deck::word(part.deck, "contact", "kind") == "line";
-  const std::vector<Quantity> wanted = quantities(scales, line);
+  if (part.word("cycle") == "machine") {
+    if (!seconds) part.complain("time_unit", "must be seconds with cycle = machine");
+    if (of_machine == nullptr) return std::nullopt;
+    return *of_machine;
+  }
   std::vector<deck::Column> columns{
       {{"t", "time", "T"}, seconds ? "s" : "a/u_m", true, seconds ? "" : "or in seconds with time_unit = seconds"}};
   for (const Quantity& one : wanted)
@@ -98,7 +102,20 @@ std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scale
     part.complain("cycle", *wrong);
     return std::nullopt;
   }
-  const auto& table = std::get<deck::ColumnTable>(read);
+  return std::get<deck::ColumnTable>(read);
+}
+
+}  // namespace
+
+std::optional<Cycle> read_cycle(const deck::Part& part, double unit, const Scales& scales,
+                                const deck::ColumnTable* of_machine) {
+  if (!part.given("cycle")) return std::nullopt;
+  const bool SI = scales.in_SI, known = std::isfinite(scales.a);
+  const bool line = deck::word(part.deck, "contact", "kind") == "line";
+  const std::vector<Quantity> wanted = quantities(scales, line);
+  const std::optional<deck::ColumnTable> read = read_table(part, wanted, SI, of_machine);
+  if (!read) return std::nullopt;
+  const deck::ColumnTable& table = *read;
   std::string wrong = wrong_times(table.rows);
   if (std::ranges::count(table.present, true) < 2) wrong = "has none of the columns radius_x, load, u1, u2";
   if (!wrong.empty()) {

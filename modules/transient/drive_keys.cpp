@@ -157,12 +157,12 @@ double reversal(const Conditions& conditions, double end) {
 }
 
 std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales,
-                                Conditions& conditions) {
+                                const deck::ColumnTable* of_machine, Conditions& conditions) {
   conditions.load = schedule_of(transient, "load", unit, 1.0);
   conditions.u1 = schedule_of(transient, "u1", unit, scales.u1);
   conditions.u2 = schedule_of(transient, "u2", unit, scales.u2);
   conditions.supply.factor = schedule_of(transient, "supply", unit, 1.0);
-  std::optional<Cycle> cycle = read_cycle(transient, unit, scales);
+  std::optional<Cycle> cycle = read_cycle(transient, unit, scales, of_machine);
   if (!cycle) return cycle;
   const auto take = [&](const char* key, const Schedule& column, Schedule& schedule) {
     if (column.points.empty()) return;

@@ -152,12 +152,12 @@ std::vector<deck::Key> keys() {
                          deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
 
-FarDemands far_demands(const deck::Deck& deck, const Scales& scales) {
+FarDemands far_demands(const deck::Deck& deck, const Scales& scales, const deck::ColumnTable* of_machine) {
   deck::Deck read_ahead = deck;
   const deck::Part transient{read_ahead, "transient"};
   const double unit = unit_of_time(transient, scales);
   Conditions conditions;
-  read_drive(transient, unit, scales, conditions);
+  read_drive(transient, unit, scales, of_machine, conditions);
   const double end = transient.number("end_time") / unit;
   FarDemands demands{.steepest_load = steepest(conditions.load, end)};
   if (!conditions.radius.points.empty())
@@ -167,7 +167,8 @@ FarDemands far_demands(const deck::Deck& deck, const Scales& scales) {
   return demands;
 }
 
-Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid) {
+Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid,
+           const deck::ColumnTable* of_machine) {
   const deck::Part transient{deck, "transient"}, output{deck, "output"};
   Input input{.conditions = carried, .second = 1.0 / scales.time};
   const bool seconds = transient.word("time_unit") == "seconds";
@@ -175,7 +176,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
     transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);
-  const std::optional<Cycle> cycle = read_drive(transient, unit, scales, input.conditions);
+  const std::optional<Cycle> cycle = read_drive(transient, unit, scales, of_machine, input.conditions);
   input.conditions.body = read_body(deck, scales);
   MarchParameters& march = input.parameters = deck::read(transient, march_records());
   input.conditions.conserves_mass = transient.word("cavitation") == "content";

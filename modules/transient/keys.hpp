@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deck/deck.hpp"
+#include "deck/text_table.hpp"
 #include "transient/march.hpp"
 
 namespace ehl::transient {
@@ -37,16 +38,18 @@ struct Input {
 
 /// The keys of [transient], those of [output] for a run in time, and those of [body].
 std::vector<deck::Key> keys();
-/// Reads all of them. in: carried, the conditions with the reliefs of the surfaces; the finest grid. errors:
-/// core::FileError if a .csv file named by the deck cannot be read.
-Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid);
+/// Reads all of them. in: carried, the conditions with the reliefs of the surfaces; the finest grid; of_machine, the
+/// table in SI that cycle = machine stands for, or nullptr. errors: core::FileError if a .csv file named by the deck
+/// cannot be read.
+Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid,
+           const deck::ColumnTable* of_machine = nullptr);
 
 /// What the drive of a deck means for the far field.
 struct FarDemands {
   double steepest_load = 0.0;  ///< slope of the load, per a/u_m; NaN if it cannot be read, which read() reports
   std::string why_zero{};      ///< why a closed far field is not available; empty: it is
 };
-FarDemands far_demands(const deck::Deck& deck, const Scales& scales);
+FarDemands far_demands(const deck::Deck& deck, const Scales& scales, const deck::ColumnTable* of_machine = nullptr);
 
 /// Keys of a cycle, which are read by read_cycle().
 std::vector<deck::Key> cycle_keys();
@@ -57,13 +60,15 @@ struct Cycle {
   std::vector<double> times{};    ///< of its rows
 };
 /// Reads the table; nullopt if the deck names none. in: unit of time in a/u_m. Errors are added to the deck.
-std::optional<Cycle> read_cycle(const deck::Part& transient, double unit, const Scales& scales);
+std::optional<Cycle> read_cycle(const deck::Part& transient, double unit, const Scales& scales,
+                                const deck::ColumnTable* of_machine);
 
 /// Keys of the schedules. in: unit of time in a/u_m.
 std::vector<deck::Key> drive_keys();
 /// Reads the schedules and the cycle into `conditions`. in: unit of time in a/u_m. out: the cycle. Errors are added to
 /// the deck.
-std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);
+std::optional<Cycle> read_drive(const deck::Part& transient, double unit, const Scales& scales,
+                                const deck::ColumnTable* of_machine, Conditions& conditions);
 /// Reports a load or speed that no time integration can follow. in: unit of time of the deck in a/u_m; end of the run;
 /// the finest grid.
 void check_drive(const deck::Part& transient, double unit, const Conditions& conditions, double end,

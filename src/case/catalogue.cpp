@@ -25,6 +25,9 @@ deck::Catalogue collected() {
       {"case", "Title and kind of the case."},
       {"bearing", "A ball or a roller on its race. Used only with [case] kind = ball_race or roller_race."},
       {"gear", "Two spur gears. Used only with [case] kind = gear_mesh."},
+      {"cam", "A cam and a flat tappet. Used only with [case] kind = cam."},
+      {"stroke", "A body that moves to and fro. Used only with [case] kind = reciprocating."},
+      {"impact", "A body that falls on a film. Used only with [case] kind = impact."},
       {"contact",
        "The contact, given in one of three ways: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
        "radius_x and the elastic data."},

@@ -82,15 +82,46 @@ double step_of(const transient::Input& transient) {
   return std::isnan(march.longest_step) ? transient::longest_step(transient.conditions, march.end) : march.longest_step;
 }
 
+// "; radius_x 4.5 to 31.3 mm, ...": the extremes of the columns of a cycle, and of the mean speed.
+std::string extremes_of_cycle(const Case& input) {
+  if (!deck::given(input.deck, "transient", "cycle")) return "";
+  const transient::Conditions& conditions = input.transient->conditions;
+  const std::optional<SiInput>& si = input.physics.si;
+  const double u_m = si ? 0.5 * si->contact.u_s : 1.0;
+  const auto range = [](const char* name, const std::vector<double>& values, double factor, const char* unit) {
+    if (values.empty()) return std::string();
+    const auto [least, most] = std::ranges::minmax(values);
+    if (least == most) return std::string();
+    return fmt::format(", {} {:.5g} to {:.5g}{}", name, factor * least, factor * most, unit);
+  };
+  const auto values_of = [](const transient::Schedule& schedule) {
+    std::vector<double> values;
+    for (const transient::Schedule::Point& point : schedule.points) values.push_back(point.value);
+    return values;
+  };
+  std::vector<double> speeds;
+  for (const transient::Schedule* one : {&conditions.u1, &conditions.u2})
+    for (const transient::Schedule::Point& point : one->points)
+      speeds.push_back(transient::drive_at(conditions, point.T).speed);
+  const char* newton = contact::line(input.scene.contact.shape) ? " N/m" : " N";
+  const std::string text =
+      range("radius_x", values_of(conditions.radius), si ? 1e3 * si->contact.radius : 1.0, si ? " mm" : "") +
+      range("load", values_of(conditions.load), si ? si->contact.load : 1.0, si ? newton : "") +
+      range("u1", values_of(conditions.u1), u_m, si ? " m/s" : "") +
+      range("u2", values_of(conditions.u2), u_m, si ? " m/s" : "") + range("mean speed", speeds, u_m, si ? " m/s" : "");
+  return text.empty() ? "" : ";" + text.substr(1);
+}
+
 std::string what(const Case& input) {
   std::vector<std::string> varying;
   for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave", "supply", "supply_wave", "cycle"})
     if (deck::given(input.deck, "transient", key)) varying.push_back(key);
   if (!input.transient->states.empty() && input.transient->mode == transient::Mode::quasi_steady)
-    return fmt::format("{} quasi-steady states of the cycle", input.transient->states.size());
+    return fmt::format("{} quasi-steady states of the cycle", input.transient->states.size()) +
+           extremes_of_cycle(input);
   return fmt::format("in time to {:.4g} a/u_m, steps of at most {:.3g}; varying: ", input.transient->parameters.end,
                      step_of(*input.transient)) +
-         (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", ")) +
+         (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", ")) + extremes_of_cycle(input) +
          (input.transient->conditions.conserves_mass ? "; mass is conserved where P = 0" : "");
 }
 

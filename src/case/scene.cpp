@@ -132,13 +132,17 @@ std::vector<deck::Key> case_keys() {
              .example_is_active = true},
             {.name = "kind",
              .default_text = "lubricated",
-             .words = {"lubricated", "dry", machines::ball_race, machines::roller_race, machines::gear_mesh},
+             .words = {"lubricated", "dry", machines::ball_race, machines::roller_race, machines::gear_mesh,
+                       machines::cam_and_tappet, machines::reciprocating, machines::impact},
              .meaning =
                  "Kind of case. lubricated: a lubricated contact. dry: elastic bodies in contact without lubricant, "
                  "smooth (Hertz) or with the shapes of [surface1] and [surface2]; [contact] then has load, radius_x "
                  "and the elastic data, or nothing (units of Hertz), and keys of a film are errors. ball_race, "
                  "roller_race: radii, speeds and load of [contact] and [motion] follow from [bearing]. gear_mesh: they "
-                 "follow from [gear]. In these three, E' and the oil are given as usual."}}),
+                 "follow from [gear]. cam: they follow from [cam]. In these four, E' and the oil are given as usual. "
+                 "reciprocating: the speeds follow from [stroke]; load and radii are given as usual. impact: a body "
+                 "with the mass and velocity of [impact] meets the film; [contact] then has no load. With [transient] "
+                 "cycle = machine a run in time follows the cam, the pair of teeth or the stroke."}}),
        deck::in_section(
            "output",
            {{.name = "file",
@@ -197,7 +201,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
     scene.accuracy = steady::read_accuracy(deck);
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
-    const transient::FarDemands far = far_demands(deck, result.physics);
+    const transient::FarDemands far = far_demands(deck, result.physics, result.machine);
     scene.far_field = steady::read_far_field(deck, scene.tuning, groups.shape, far.steepest_load, far.why_zero);
     steady::choose_grid(deck, scene.tuning, scene.contact, scene.wedge,
                         result.roller ? roller::bearing(*result.roller).widest : 1.0);
@@ -223,7 +227,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   read_names(path, result);
   read_errors(result, motion == Motion::steady);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
-  result.transient = transient_input(deck, result.tuning.transient, result.physics, result.surfaces, scene.grid);
+  result.transient =
+      transient_input(deck, result.tuning.transient, result.physics, result.surfaces, result.machine, scene.grid);
   read_effects(result);
   if (contact::roller(groups.shape)) refuse_beyond_roller(deck);
   if (scene.grid.line) refuse_beyond_line(deck);

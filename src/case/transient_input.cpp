@@ -25,11 +25,16 @@ transient::Scales scales_of(const Physics& physics) {
           .u2 = physics.si->u2 / u_m};
 }
 
+const deck::ColumnTable* course_of(const std::optional<machines::Contact>& machine) {
+  return machine && machine->course ? &*machine->course : nullptr;
+}
+
 }  // namespace
 
-transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics) {
+transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics,
+                                  const std::optional<machines::Contact>& machine) {
   if (!deck::called_for(deck, "transient")) return {};
-  transient::FarDemands demands = transient::far_demands(deck, scales_of(physics));
+  transient::FarDemands demands = transient::far_demands(deck, scales_of(physics), course_of(machine));
   // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
   if (demands.why_zero.empty() && deck::called_for(deck, "body")) demands.why_zero = "a body moves";
   return demands;
@@ -58,6 +63,7 @@ void check_geometry(deck::Deck& deck, const Physics& physics, const transient::I
 
 std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
                                                 const Physics& physics, const SurfaceInput& surfaces,
+                                                const std::optional<machines::Contact>& machine,
                                                 const core::Grid& grid) {
   if (!deck::called_for(deck, "transient")) return std::nullopt;
   if (deck::given(deck, "grid", "accuracy"))
@@ -65,7 +71,7 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
   transient::Conditions carried{.tuning = tuning};
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
-  transient::Input input = transient::read(deck, scales_of(physics), carried, grid);
+  transient::Input input = transient::read(deck, scales_of(physics), carried, grid, course_of(machine));
   if (std::isfinite(input.parameters.end)) check_geometry(deck, physics, input);
   if (input.mode != transient::Mode::in_time && deck::called_for(deck, "thermal"))
     deck::complain(deck, "transient", "mode", "the quasi-steady states have no heat: set in_time, or remove [thermal]");

@@ -5,19 +5,22 @@
 #include "case/physical_input.hpp"
 #include "case/surface_input.hpp"
 #include "deck/deck.hpp"
+#include "machines/number.hpp"
 #include "steady/scene.hpp"
 #include "transient/keys.hpp"
 
 namespace ehl::program {
 
 /// Nothing if the deck has no [transient]. Errors are added to the deck. in: the physics of the case, its surfaces, its
-/// finest grid. errors: core::FileError if a .csv file that the deck names cannot be read.
+/// machine, its finest grid. errors: core::FileError if a .csv file that the deck names cannot be read.
 std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
                                                 const Physics& physics, const SurfaceInput& surfaces,
+                                                const std::optional<machines::Contact>& machine,
                                                 const core::Grid& grid);
 
 /// What the deck's drive in time means for the far field.
-transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics);
+transient::FarDemands far_demands(const deck::Deck& deck, const Physics& physics,
+                                  const std::optional<machines::Contact>& machine);
 
 /// X of the centre of a surface's relief at time 0 and at the end, and the largest one in between.
 struct Travel {

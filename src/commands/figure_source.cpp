@@ -18,8 +18,11 @@
 namespace ehl::program {
 namespace {
 
-// True if the times of a deck are in seconds.
-bool counts_in_seconds(const std::string& deck) { return deck.find("\ntime_unit = seconds") != std::string::npos; }
+// True if the times of an effective deck are in seconds; what follows from a machine stands there as a comment.
+bool counts_in_seconds(const std::string& deck) {
+  const auto says = [&](const char* line) { return deck.find(line) != std::string::npos; };
+  return says("\ntime_unit = seconds") || says("\n# time_unit = seconds");
+}
 
 // The frame that --time asks for, else the last one: its number, and its time in words.
 std::vector<Setting> chosen_frame(const results::ResultFile& result, const Arguments& arguments) {

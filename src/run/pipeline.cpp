@@ -88,11 +88,16 @@ std::string json_of(const Case& input, const Computed& computed) {
 std::string derived_of(const Case& input) { return solver_of(input).derived(input); }
 
 std::string printed(const Case& input, const Computed& computed, bool profile) {
-  std::string text = "case         " + input.title + "\n" + solver_of(input).summary(input, computed);
+  const std::string of_contact = solver_of(input).summary(input, computed);
+  std::string of_effects;
   for (const Effect& effect : effects_of(input)) {
-    if (effect.summary) text += effect.summary(input, computed);
-    if (effect.warnings) text += warning_lines(effect.warnings(input, computed));
+    if (effect.summary) of_effects += effect.summary(input, computed);
+    if (effect.warnings) of_effects += warning_lines(effect.warnings(input, computed));
   }
+  // If the bodies start separated, the steady contact is only the reference of the scales.
+  const bool separated = input.transient && input.transient->conditions.body && input.transient->conditions.body->gap;
+  std::string text = "case         " + input.title + "\n";
+  text += separated ? of_effects + of_contact : of_contact + of_effects;
   text += effect_times(input, computed);
   if (const auto lines = solver_of(input).profile; profile && lines != nullptr) text += lines(input, computed);
   return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";

@@ -82,9 +82,9 @@ class CaseKeys(TypedDict, total=False):
     title: str | os.PathLike[str]
     """Title of the case, printed on reports and pictures.
     default: untitled; allowed: any text"""
-    kind: Literal["lubricated", "dry", "ball_race", "roller_race", "gear_mesh"]
-    """Kind of case. lubricated: a lubricated contact. dry: elastic bodies in contact without lubricant, smooth (Hertz) or with the shapes of [surface1] and [surface2]; [contact] then has load, radius_x and the elastic data, or nothing (units of Hertz), and keys of a film are errors. ball_race, roller_race: radii, speeds and load of [contact] and [motion] follow from [bearing]. gear_mesh: they follow from [gear]. In these three, E' and the oil are given as usual.
-    default: lubricated; allowed: one of lubricated, dry, ball_race, roller_race, gear_mesh"""
+    kind: Literal["lubricated", "dry", "ball_race", "roller_race", "gear_mesh", "cam", "reciprocating", "impact"]
+    """Kind of case. lubricated: a lubricated contact. dry: elastic bodies in contact without lubricant, smooth (Hertz) or with the shapes of [surface1] and [surface2]; [contact] then has load, radius_x and the elastic data, or nothing (units of Hertz), and keys of a film are errors. ball_race, roller_race: radii, speeds and load of [contact] and [motion] follow from [bearing]. gear_mesh: they follow from [gear]. cam: they follow from [cam]. In these four, E' and the oil are given as usual. reciprocating: the speeds follow from [stroke]; load and radii are given as usual. impact: a body with the mass and velocity of [impact] meets the film; [contact] then has no load. With [transient] cycle = machine a run in time follows the cam, the pair of teeth or the stroke.
+    default: lubricated; allowed: one of lubricated, dry, ball_race, roller_race, gear_mesh, cam, reciprocating, impact"""
 
 class BearingKeys(TypedDict, total=False):
     """A ball or a roller on its race. Used only with [case] kind = ball_race or roller_race."""
@@ -164,11 +164,74 @@ class GearKeys(TypedDict, total=False):
     """Speed of rotation of wheel 1. (only with [case] kind = gear_mesh)
     default: none; allowed: a number > 0 and <= 1e+06 1/min"""
     position: float | str
-    """Point of contact on the path of contact. 0: contact begins, at the tip of wheel 2. 1: contact ends, at the tip of wheel 1. (only with [case] kind = gear_mesh)
+    """Point of contact on the path of contact. 0: contact begins, at the tip of wheel 2. 1: contact ends, at the tip of wheel 1. In time, the state whose scales the results have; the course is the whole path. (only with [case] kind = gear_mesh)
     default: the pitch point, if it lies on the path of contact; allowed: a number >= 0 and <= 1"""
     sharing: Literal["none", "linear"]
     """How two pairs of teeth share the load. linear: equal stiffness and no tip relief: the share rises from 1/3 at the beginning of contact to 2/3, is 1 while one pair is alone, and falls from 2/3 to 1/3 at the end; for a contact ratio below 2. none: every pair carries the whole load. (only with [case] kind = gear_mesh)
     default: linear; allowed: one of none, linear"""
+    transition: float | str
+    """Part of the path on which the load changes, in a course in time, where the next pair of teeth begins to carry and where the last one ceases to: 2/3 to 1 and 1 to 2/3 of the load. (only with [transient] cycle = machine)
+    default: 0.01; allowed: a number >= 1e-04 and <= 0.1"""
+    states: int
+    """Number of states along the path, between which a course in time is linear. (only with [transient] cycle = machine)
+    default: 100; allowed: a whole number >= 12 and <= 3600"""
+
+class CamKeys(TypedDict, total=False):
+    """A cam and a flat tappet. Used only with [case] kind = cam."""
+    base_radius: float | str
+    """Radius of the base circle, on which the lift is 0. (only with [case] kind = cam)
+    default: none; allowed: a number > 0 m"""
+    lift: str | os.PathLike[str]
+    """Text file with the columns angle [degrees] and lift [m], with other units if the heading names them: one revolution, whose last row repeats the first; or the part of it in which the tappet moves, with lift 0 at both ends. A third column load [N] replaces the spring. A cubic spline gives the curvature of the cam, so the lift needs enough digits: the report estimates the error. (only with [case] kind = cam)
+    default: none; allowed: any text"""
+    face_width: float | str
+    """Width over which cam and tappet touch. (only with [case] kind = cam)
+    default: none; allowed: a number > 0 m"""
+    rpm: float | str
+    """Speed of the camshaft. The angle of the table rises with time. (only with [case] kind = cam)
+    default: none; allowed: a number > 0 and <= 1e+06 1/min"""
+    spring_force: float | str
+    """Force of the spring where the lift is 0. (only with [case] kind = cam)
+    default: 0; allowed: a number >= 0 N"""
+    spring_stiffness: float | str
+    """Stiffness of the spring: the load is spring_force + spring_stiffness lift + mass (acceleration of the lift). (only with [case] kind = cam)
+    default: 0; allowed: a number >= 0 N/m"""
+    mass: float | str
+    """Mass that moves with the tappet. (only with [case] kind = cam)
+    default: 0; allowed: a number >= 0 kg"""
+    angle: float | str
+    """Angle of the cam whose contact is computed; in time, the state whose scales the results have and at which the course begins. The mean speed must be positive there. (only with [case] kind = cam)
+    default: the first of the table; allowed: a number >= -360 and <= 720 degrees"""
+    states: int
+    """Number of states in one revolution, between which a course in time is linear. (only with [transient] cycle = machine)
+    default: 180; allowed: a whole number >= 12 and <= 3600"""
+
+class StrokeKeys(TypedDict, total=False):
+    """A body that moves to and fro. Used only with [case] kind = reciprocating."""
+    length: float | str
+    """Stroke of body 1 between its turning points, twice the amplitude of its sine. (only with [case] kind = reciprocating)
+    default: none; allowed: a number > 0 m"""
+    frequency: float | str
+    """Number of double strokes in a second. (only with [case] kind = reciprocating)
+    default: none; allowed: a number > 0 and <= 1e+06 1/s"""
+    second_body: Literal["rests", "rolls"]
+    """rests: body 2 stands still in the contact, which slides (a clamped ball on a moving plate). rolls: body 2 turns freely about a fixed axis, with the speed of body 1. (only with [case] kind = reciprocating)
+    default: rests; allowed: one of rests, rolls"""
+    states: int
+    """Number of states in one double stroke, between which a course in time is linear. (only with [transient] cycle = machine)
+    default: 100; allowed: a whole number >= 12 and <= 3600"""
+
+class ImpactKeys(TypedDict, total=False):
+    """A body that falls on a film. Used only with [case] kind = impact."""
+    mass: float | str
+    """Mass of the body that meets a body at rest; of two free bodies m1 m2/(m1 + m2). (only with [case] kind = impact)
+    default: none; allowed: a number > 0 kg"""
+    velocity: float | str
+    """Velocity with which the bodies approach at time 0. (only with [case] kind = impact)
+    default: none; allowed: a number > 0 and <= 1000 m/s"""
+    gap: float | str
+    """Distance of the bodies at time 0, filled with oil. (only with [case] kind = impact)
+    default: none; allowed: a number > 0 m"""
 
 class ContactKeys(TypedDict, total=False):
     """The contact, given in one of three ways: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, radius_x and the elastic data."""
@@ -527,7 +590,7 @@ class TransientKeys(TypedDict, total=False):
     """Oscillation of supply, written like load_wave. (only with [transient] end_time)
     default: none; allowed: any text"""
     cycle: str | os.PathLike[str]
-    """Text file with the columns t, radius_x, load, u1 and u2, of which all but t may be missing: what is missing is constant, or has its own key. Linear between the rows. In SI the columns are in m, N (line contacts: N/m) and m/s, unless the heading names other units; else they are relative to [contact] and [motion]. The scales a, p_h and u_m of the results remain those of [contact] and [motion]. (only with [transient] end_time)
+    """machine: the course of the cam, the pair of teeth or the stroke that [case] kind names; end_time is then one course, in seconds, unless it is given. Or a text file with the columns t, radius_x, load, u1 and u2, of which all but t may be missing: what is missing is constant, or has its own key. Linear between the rows. In SI the columns are in m, N (line contacts: N/m) and m/s, unless the heading names other units; else they are relative to [contact] and [motion]. The scales a, p_h and u_m of the results remain those of [contact] and [motion]. (only with [transient] end_time)
     default: none; allowed: any text"""
     cycle_repeats: Literal["on", "off"] | bool
     """on: the last row repeats the first one, and the cycle begins again there. off: the table is run through once, and its last row remains. (only with [transient] cycle)
@@ -973,6 +1036,9 @@ def run(
     case: CaseKeys = ...,
     bearing: BearingKeys = ...,
     gear: GearKeys = ...,
+    cam: CamKeys = ...,
+    stroke: StrokeKeys = ...,
+    impact: ImpactKeys = ...,
     contact: ContactKeys = ...,
     motion: MotionKeys = ...,
     lubricant: LubricantKeys = ...,
@@ -1003,6 +1069,9 @@ def check(
     case: CaseKeys = ...,
     bearing: BearingKeys = ...,
     gear: GearKeys = ...,
+    cam: CamKeys = ...,
+    stroke: StrokeKeys = ...,
+    impact: ImpactKeys = ...,
     contact: ContactKeys = ...,
     motion: MotionKeys = ...,
     lubricant: LubricantKeys = ...,
@@ -1039,6 +1108,9 @@ def sweep(
     case: CaseKeys = ...,
     bearing: BearingKeys = ...,
     gear: GearKeys = ...,
+    cam: CamKeys = ...,
+    stroke: StrokeKeys = ...,
+    impact: ImpactKeys = ...,
     contact: ContactKeys = ...,
     motion: MotionKeys = ...,
     lubricant: LubricantKeys = ...,
