@@ -19,7 +19,7 @@ do for [one in $table_transient[1]] {
 # A column that a table has only with quasi-steady states.
 steady(name) = quasi ? column(name) : NaN
 places = probes > 0 ? system(read."deck | sed -n 's/^probe = //p' | tr ',' '\n' | sed 's/^ *//;s/ *$//;s/  */,/g' | paste -s -d ' '") : ""
-place(k) = "at (".word(places, k).") a"
+place(k) = "(".word(places, k).") a"
 probe_colour(k) = word("#e69f00 #009e73 #cc79a7 #56b4e9 #8c510a #444444", (k - 1) % 6 + 1)
 set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 # An axis for a quantity that may be constant: gnuplot warns of a range of zero length.
@@ -29,7 +29,7 @@ span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 *
 # The key of the film has as many rows as its entries need; gnuplot makes all columns as wide as the longest one.
 longest_entry = quasi > 0 ? 12 : 7
 do for [k = 1:probes] { longest_entry = greater(longest_entry, strlen(place(k))) }
-entries_in_row = int((wide - m(21)) / (mm_of(longest_entry) + m(7)))
+entries_in_row = int((wide - m(21)) / (mm_of(longest_entry) + m(11.2)))
 top = top + 4 * ((1 + quasi + probes) / (entries_in_row > 0 ? entries_in_row : 1))
 # Panel k of `panels`, counted from the top, with space for labels with three decimals.
 share = "(high - m(top + 9.5)) / panels"

@@ -60,7 +60,7 @@ Group body_numbers() {
 namespace {
 
 std::string summary(const Case& input, const Computed& computed) {
-  const numbers::Of solved{input, computed};
+  const numbers::Solved solved{input, computed};
   if (!numbers::falls(solved)) return "";
   const double e = numbers::restitution(solved), time = numbers::contact_time(solved);
   const std::optional<SiScales> si = si_scales(input.physics);
