@@ -130,7 +130,6 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
   multigrid::renew_load_outside(hierarchy_, level);
-  hierarchy_.outside_line = {};
   return result;
 }
 
@@ -161,12 +160,28 @@ StageResult ContactDae::respond(const Stage& stage, Iteration kind, double& rate
 
 // A state that the cycles cannot treat, such as a film outside the range of the closed far field, calls for a shorter
 // step.
-StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
+StageResult ContactDae::attempt(const Stage& stage, const Drive& drive, std::span<double> correction) {
+  StageResult result{.solved = false};
   try {
-    return solved(stage, drive, correction);
+    result = solved(stage, drive, correction);
   } catch (const core::SolverError&) {
-    return {.solved = false};
+    result = {.solved = false};
   }
+  hierarchy_.outside_line = {};
+  return result;
+}
+
+// Without Newton's method cycles that diverge are damped, as at the start. The following steps keep what has helped.
+StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
+  const StageResult first = attempt(stage, drive, correction);
+  const multigrid::Tuning& damping = hierarchy_.parameters.tuning;
+  const double before = weight_, damped = damping.back_off * weight_;
+  if (first.solved || newton_can() || damped < damping.least_all) return first;
+  weight_ = damped;
+  StageResult second = attempt(stage, drive, correction);
+  second.cycles += first.cycles;
+  if (!second.solved) weight_ = before;
+  return second;
 }
 
 StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span<double> correction) {
