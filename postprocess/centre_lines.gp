@@ -34,7 +34,7 @@ set ytics 0, steps_of(P_top)
 set y2tics steps_of(film_top)
 eval box(m(13), m(film_top < 1e4 ? 16 : 18), m(10), m(top + 4))
 set y2label axis_H textcolor rgb blue offset film_top < 1e4 ? -1 : -0.6, 0
-eval key_above
+eval key_above."; set key width 0"  # short labels, in one row
 set samples 4 * points + 1
 plot Hertz(x) axes x1y1 with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
      $line_P using 1:2 axes x1y1 with lines lw 1 lc rgb red title si ? "p" : "P", \

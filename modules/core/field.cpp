@@ -38,7 +38,8 @@ Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_, other.s
 
 Field& Field::operator=(const Field& other) {
   if (this == &other) return *this;
-  if (nodes_x_ != other.nodes_x_ || nodes_y_ != other.nodes_y_ || stride_ != other.stride_)
+  const bool moved_from = !data_;
+  if (moved_from || nodes_x_ != other.nodes_x_ || nodes_y_ != other.nodes_y_ || stride_ != other.stride_)
     *this = Field(other.nodes_x_, other.nodes_y_, other.stride_);
   copy(other, *this);
   return *this;

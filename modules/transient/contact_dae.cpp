@@ -191,8 +191,10 @@ void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
     const double of_place = in_zone(i, j) ? inside : control_.tuning.weight_outside * inside;
     const double of_node = at_edge(y, i, j) ? control_.tuning.weight_at_edge * of_place : of_place;
     const double factor = std::max(not_tested, std::sqrt(grid.lines(j)) * of_node);
+    // The content of an end is given, or follows from its neighbour. It jumps when the flow turns.
+    const bool end = conserves_mass() && (i == 0 || i == grid.nx);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
-    w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
+    w[nodes_ + k] = end ? not_tested : factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });
   const double of_one = 0.5 * std::sqrt(static_cast<double>(size()));
   w[2 * nodes_] = of_one / (control_.Q_scale * control_.rtol);

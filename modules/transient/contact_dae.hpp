@@ -138,6 +138,7 @@ class ContactDae {
   /// Method that solves the equations of an implicit step.
   enum class Iteration { cycles, newton };
   void begin(const Stage& stage, const Drive& drive);
+  StageResult attempt(const Stage& stage, const Drive& drive, std::span<double> correction);
   StageResult solved(const Stage& stage, const Drive& drive, std::span<double> correction);
   StageResult iterate(const Stage& stage, Iteration kind, double& rate);
   StageResult respond(const Stage& stage, Iteration kind, double& rate);

@@ -193,12 +193,13 @@ void check_reversal(const deck::Part& part, const std::string& key, double time,
 void check_drive(const deck::Part& part, double unit, const Conditions& conditions, double end,
                  const core::Grid& grid) {
   const std::optional<Body>& body = conditions.body;
-  if (body && least(conditions.load, end) < 0.0)
-    part.complain(part.given("load_wave") ? "load_wave" : "load", "the load must not be negative");
+  const char* of_load = part.given("load_wave") ? "load_wave" : part.given("load") ? "load" : "cycle";
+  if (body && least(conditions.load, end) < 0.0) part.complain(of_load, "the load must not be negative");
   if (body && !body->gap && !(value(conditions.load, 0.0) > 0.0))
-    part.complain("load", "must be positive at time 0, because the body starts from the steady film; or give a gap");
+    part.complain(of_load,
+                  "the load must be positive at time 0, because the body starts from the steady film; or give a gap");
   if (!body && !(least(conditions.load, end) > 0.0))
-    part.complain(part.given("load_wave") ? "load_wave" : "load",
+    part.complain(of_load,
                   "the load must stay positive until the end: otherwise the bodies would separate; [body] allows that");
   const char* key = part.given("cycle") ? "cycle" : part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
   if (const double turn = reversal(conditions, end); turn <= end && turn > 0.0)
@@ -208,7 +209,7 @@ void check_drive(const deck::Part& part, double unit, const Conditions& conditio
   if (least(conditions.supply.factor, end) < 0.0)
     part.complain(part.given("supply_wave") ? "supply_wave" : "supply",
                   "the oil that [supply] gives must not be negative");
-  const bool from_steady = !body || !body->gap;
+  const bool from_steady = (!body || !body->gap) && part.word("mode") != "quasi_steady";
   if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
     part.complain(key,
                   "(u1 + u2)/2 must be positive at time 0, because the run starts from that steady film: begin at "

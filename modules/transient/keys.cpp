@@ -101,7 +101,8 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
 }
 
 // The times of the quasi-steady states.
-void read_states(const deck::Part& transient, const std::optional<Cycle>& cycle, Input& input) {
+void read_states(const deck::Part& transient, double unit, const std::optional<Cycle>& cycle, Input& input) {
+  constexpr double rounding = 1e-12;
   const std::string mode = transient.word("mode");
   if (mode != "quasi_steady" && mode != "both") return;
   input.mode = mode == "both" ? Mode::both : Mode::quasi_steady;
@@ -113,12 +114,14 @@ void read_states(const deck::Part& transient, const std::optional<Cycle>& cycle,
     for (const char* key : {"rtol", "max_step", "output_interval", "stop_film", "stop_steady", "stop_periodic"})
       if (transient.given(key))
         transient.complain(key, "has no influence with mode = quasi_steady: remove it, or set mode = both");
+    if (cycle && input.parameters.end > cycle->period * (1.0 + rounding))
+      transient.complain("end_time", fmt::format("quasi-steady states repeat after one period: set it to {:.6g}",
+                                                 cycle->times.back() * unit));
     if (input.conditions.conserves_mass && !deck::called_for(transient.deck, "supply"))
       transient.complain("mode",
                          "quasi_steady needs cavitation = pressure, because steady contacts without [supply] "
                          "have no oil content");
   }
-  constexpr double rounding = 1e-12;
   if (!cycle) return;
   for (const double T : cycle->times) {
     if (T > input.parameters.end * (1.0 + rounding)) break;
@@ -187,7 +190,9 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   march.probes = read_probes(output, grid);
   deck::read(output, output_records(), input);
   if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end, grid);
-  read_states(transient, cycle, input);
+  read_states(transient, unit, cycle, input);
+  if (cycle && std::isnan(cycle->period))
+    transient.refuse({"stop_periodic"}, "a cycle with cycle_repeats = off has no periods: remove one of them");
   if (deck.errors.empty() && input.mode != Mode::quasi_steady)
     check_steps(transient, march, longest_step(input.conditions, march.end));
   return input;

@@ -110,12 +110,12 @@ namespace {
 
 // Solves the state at T and writes it to the row. returns why it was not found; empty if it was.
 std::string solve_state(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
-                        const Observer& observer, StepRow& row) {
+                        const Observer& observer, const std::function<bool()>& going_on, StepRow& row) {
   const Drive drive = drive_at(conditions, row.T);
   const StateScene state = scene_at(scene, conditions, row.T);
   steady::Solution found;
   try {
-    found = steady::solve(state.scene);
+    found = steady::solve(state.scene, [&](const steady::Progress&) { return !going_on || going_on(); });
   } catch (const core::SolverError& error) {
     return error.what();
   }
@@ -136,10 +136,12 @@ std::string solve_state(const steady::Scene& scene, const Conditions& conditions
 }  // namespace
 
 MarchReport quasi_steady(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,
-                         const std::vector<double>& times, const Observer& observer) {
+                         const std::vector<double>& times, const Observer& observer,
+                         const std::function<bool()>& going_on) {
   constexpr double rigid = 0.1;  // M of a contact whose bodies are practically rigid
   const double began = core::now();
   MarchReport report;
+  bool on = true;
   for (const double T : times) {
     report.T = T;
     ++report.steps;
@@ -150,15 +152,21 @@ MarchReport quasi_steady(const steady::Scene& scene, const Conditions& condition
       ++report.at_rest;
     } else if (moes_load(scene, drive, radius) < rigid) {
       row.Hc = row.Hm = rigid_film(scene, drive, radius);
-    } else if (const std::string reason = solve_state(scene, conditions, parameters, observer, row); !reason.empty()) {
-      ++report.not_found;
+    } else {
+      std::string reason;
+      try {
+        reason = solve_state(scene, conditions, parameters, observer, going_on, row);
+      } catch (const core::Interrupted&) {
+        reason = "interrupted";
+        on = false;
+      }
+      if (!reason.empty()) ++report.not_found;
       if (report.reason.empty()) report.reason = reason;
     }
-    if (observer.row && !observer.row(row)) {
-      report.end = MarchEnd::interrupted;
-      break;
-    }
+    on = (!observer.row || observer.row(row)) && on;
+    if (!on) break;
   }
+  if (!on) report.end = MarchEnd::interrupted;
   report.seconds = core::now() - began;
   return report;
 }

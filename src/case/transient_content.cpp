@@ -119,13 +119,12 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
   if (credible(file, numbers::path_of(id::completed)) == std::vector{1.0}) return why + "its run is complete";
   const std::string ended = numbers::path_of(id::ended);  // files of earlier versions lack it
   const bool is_stated = file.kind(ended) == results::ResultFile::Kind::text;
-  if (is_stated && file.text(ended) == how_it_ended({.end = transient::MarchEnd::interrupted}) &&
-      file.kind(numbers::path_of(id::heat_stored)) == results::ResultFile::Kind::numbers)
-    return why + "a run in time with [thermal] keeps none; run its deck again";
-  return file.numbers("/transient/time").values.size() > 1
-             ? why + "its run was not interrupted but ended because it could not continue" +
-                   (is_stated ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
-             : why + "its run was interrupted before the first step; run its deck again";
+  const bool stepped = file.numbers("/transient/time").values.size() > 1;
+  if (stepped && is_stated && file.text(ended) == how_it_ended({.end = transient::MarchEnd::interrupted}))
+    return why + "runs in time with [thermal] and quasi-steady states keep none; run its deck again";
+  return stepped ? why + "its run was not interrupted but ended because it could not continue" +
+                       (is_stated ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
+                 : why + "its run was interrupted before the first step; run its deck again";
 }
 
 int whole(const std::string& path, const std::string& name, double value) {

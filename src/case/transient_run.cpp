@@ -172,13 +172,18 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   const InSteps added = in_steps_of(input, &result.seconds);
   result.measured = added.numbers;
   std::vector<StepRow> states;
+  double share = 0.0;  // of the last state that was shown, and its text
+  std::string shown = "quasi-steady states";
+  const auto going_on = [&] { return settings.progress.show(share, shown); };
   const auto show_state = [&](const StepRow& row) {
     states.push_back(row);
-    return settings.progress.show(row.T / march.parameters.end, text_of(input, row));
+    share = row.T / march.parameters.end;
+    shown = text_of(input, row);
+    return going_on();
   };
   if (march.mode == transient::Mode::both)
-    result.states =
-        transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states, {.row = show_state});
+    result.states = transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states,
+                                            {.row = show_state}, going_on);
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
@@ -208,8 +213,13 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
             saved = core::now();
           }};
   if (march.mode == transient::Mode::quasi_steady) {
+    const auto keep_state = [&](const StepRow& row) {
+      share = row.T / march.parameters.end;
+      shown = text_of(input, row);
+      return observer.row(row);
+    };
     result.report = transient::quasi_steady(input.scene, march.conditions, march.parameters, march.states,
-                                            {.row = observer.row, .frame = observer.frame});
+                                            {.row = keep_state, .frame = observer.frame}, going_on);
     result.states = result.report;
     total(result);
     return result;
@@ -245,8 +255,8 @@ std::string cycle_lines(const Case& input, const TransientResult& result) {
   const SiUnit time = time_unit(input);
   if (!std::isnan(march.parameters.period) && march.mode != transient::Mode::quasi_steady)
     text += fmt::format(
-        "  period     {:.5g} {}; {} whole periods{}\n", march.parameters.period * time.factor, time.name,
-        result.report.periods,
+        "  period     {:.5g} {}; {} whole period{}{}\n", march.parameters.period * time.factor, time.name,
+        result.report.periods, result.report.periods == 1 ? "" : "s",
         std::isnan(result.report.change_of_period)
             ? ""
             : fmt::format("; Hc and Hm of the last two differ by at most {:.1e}", result.report.change_of_period));

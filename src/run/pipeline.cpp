@@ -132,8 +132,11 @@ Ending ending_of(const Computed& computed, const std::string& to_go_on) {
   if (in_time->report.end != transient::MarchEnd::interrupted)
     return {not_converged, "not converged: " + why_incomplete(in_time)};
   std::string message = fmt::format("stopped at time {:g} a/u_m", in_time->report.T);
-  if (!in_time->checkpoint)
+  if (!in_time->checkpoint && in_time->rows.size() < 2)
     message += ", before the first step";
+  else if (!in_time->checkpoint)
+    message +=
+        ", without a checkpoint, which runs with [thermal] and quasi-steady states do not keep: run the deck again";
   else if (!to_go_on.empty())
     message += "; continue with `" + to_go_on + "`";
   return {interrupted, message};

@@ -1,4 +1,6 @@
 // Heat in a run in time: the steady contact, the heat balance, the order of the steps, a dent, what is refused.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -30,6 +32,12 @@ std::string line_with(const std::string& load) {
 }
 const std::string line = line_with("5e4");
 const std::string slides = "[motion]\nu_m = 2\nsrr = 0.6\n";
+
+double unsolved(const results::ResultFile& file) {
+  double sum = 0.0;
+  for (const double count : column(file, "not_solved")) sum += count;
+  return sum;
+}
 
 }  // namespace
 
@@ -95,6 +103,36 @@ BOOST_AUTO_TEST_CASE(a_dent_crosses_a_hot_contact) {
   BOOST_TEST(std::abs(largest(field) / column(file, "T1_max").front() - 1.0) < 1e-12);
   const support::Ended drawn = support::ehl(folder, "plot dent.h5 --format svg --figure transient_heat");
   BOOST_TEST((drawn.status == 0 && drawn.err.empty()), drawn.err);
+}
+
+// A small tolerance makes the first steps short; the closed far field must follow them.
+BOOST_AUTO_TEST_CASE(small_tolerances_are_followed) {
+  const support::TemporaryFolder folder;
+  const std::string dent = "[surface1]\nshape = dimple\nheight_m = 150e-9\nwidth_m = 60e-6\nx = -2\n";
+  for (const char* rtol : {"1e-5", "1e-6"}) {
+    const results::ResultFile file = solved(
+        folder, "dent",
+        ball + "[motion]\nu_m = 2\nsrr = -0.6\n" + oil + dent + "[transient]\nend_time = 1\nrtol = " + rtol + "\n");
+    BOOST_TEST_MESSAGE("rtol = " << rtol << ": " << column(file, "time").size() << " rows, " << unsolved(file)
+                                 << " attempts not solved (0)");
+    BOOST_TEST(unsolved(file) == 0.0);
+  }
+}
+
+// Some of these contacts need stronger damping in long steps.
+BOOST_AUTO_TEST_CASE(ellipses_near_a_circle_are_followed) {
+  const support::TemporaryFolder folder;
+  for (const double ratio : {0.5, 0.65, 0.8})
+    for (const int cells : {64, 96}) {
+      const std::string contact =
+          fmt::format("[contact]\nload = 60\nradius_x = 9.525e-3\nradius_y = {}\nE_prime = 226e9\n[grid]\ncells = {}\n",
+                      9.525e-3 * ratio, cells);
+      const results::ResultFile file =
+          solved(folder, "ellipse", contact + slides + oil + "[transient]\nend_time = 1.5\nmax_step = 0.1\n");
+      BOOST_TEST_MESSAGE("radius ratio " << ratio << ", " << cells << " cells: " << column(file, "time").size()
+                                         << " rows, " << unsolved(file) << " attempts not solved (0)");
+      BOOST_TEST(unsolved(file) == 0.0);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(what_no_run_in_time_can_do_is_refused) {

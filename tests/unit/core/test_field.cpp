@@ -95,6 +95,8 @@ BOOST_AUTO_TEST_CASE(copies_are_independent_and_take_the_shape) {
   const Field moved = std::move(into);
   BOOST_TEST(moved.at_x(0) == from);
   BOOST_TEST(is_numbered(moved));
+  into = moved;
+  BOOST_TEST(is_numbered(into));
   Field nothing;
   nothing = Field();
   BOOST_TEST(nothing.nodes_x() == 0);

@@ -10,6 +10,19 @@
 
 namespace support {
 
+/// The line contact of gear teeth: 0.8 GPa, 10 m/s.
+inline BaseCase teeth() {
+  BaseCase base;
+  base.line = true;
+  base.load = 2e5;
+  base.R = 0.010;
+  base.u_m = 10.0;
+  base.srr = 0.4;
+  base.eta0 = 0.0165;
+  base.alpha = 18e-9;
+  return base;
+}
+
 inline ehl::steady::Scene scene_of(const BaseCase& base, const ehl::thermal::Setup& setup,
                                    const ehl::core::Grid& grid) {
   ehl::steady::Scene scene;
@@ -66,5 +79,6 @@ Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, do
   return solve(base, grid, change, share, [](const ehl::thermal::FilmTemperature&, const ehl::multigrid::Level&) {});
 }
 inline ehl::core::Grid square(int n) { return {n, n, -4.5, 1.5, -3.0, 3.0}; }
+inline ehl::core::Grid along(int n) { return ehl::core::line_grid(n, -4.5, 1.5); }
 
 }  // namespace support

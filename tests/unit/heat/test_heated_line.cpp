@@ -9,39 +9,21 @@
 BOOST_AUTO_TEST_SUITE(test_heat_heated_line)
 
 using namespace ehl;
-using support::BaseCase, support::Found, support::solve;
-
-namespace {
-
-// 0.8 GPa, 10 m/s.
-BaseCase teeth() {
-  BaseCase base;
-  base.line = true;
-  base.load = 2e5;
-  base.R = 0.010;
-  base.u_m = 10.0;
-  base.srr = 0.4;
-  base.eta0 = 0.0165;
-  base.alpha = 18e-9;
-  return base;
-}
-core::Grid grid(int cells) { return core::line_grid(cells, -4.5, 1.5); }
-
-}  // namespace
+using support::along, support::BaseCase, support::Found, support::solve, support::teeth;
 
 // Without any heat source, or if bodies and oil conduct all heat away, the film is isothermal to rounding.
 BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_line) {
   BaseCase base = teeth();
   base.expansion = 0.0;
   for (const bool conducts_well : {false, true}) {
-    thermal::Setup setup = base.setup(grid(256));
+    thermal::Setup setup = base.setup(along(256));
     if (conducts_well) {
       for (double* group : {&setup.Br, &setup.Pe, &setup.compression}) *group *= 1e-12;
       setup.body_1.resistance = setup.body_2.resistance = 0.0;
     } else {
       setup.Br = setup.compression = 0.0;
     }
-    steady::Scene scene = support::scene_of(base, setup, grid(256));
+    steady::Scene scene = support::scene_of(base, setup, along(256));
     scene.solver.tolerance = 1e-10;
     scene.adjoint_errors = false;
     const steady::Solution cold = steady::solve(scene);
@@ -61,7 +43,7 @@ BOOST_AUTO_TEST_CASE(second_order_along_a_line) {
   Found found[grids];
   for (int level = 0; level < grids; ++level) {
     found[level] = solve(
-        teeth(), grid(128 << level), [](thermal::Setup&) {}, 0.005);
+        teeth(), along(128 << level), [](thermal::Setup&) {}, 0.005);
     BOOST_TEST(found[level].result.unmet.empty(), found[level].result.unmet);
   }
   for (int level = 2; level < grids; ++level) {

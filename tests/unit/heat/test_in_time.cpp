@@ -13,22 +13,9 @@
 BOOST_AUTO_TEST_SUITE(test_heat_in_time)
 
 using namespace ehl;
-using support::BaseCase;
+using support::along, support::BaseCase, support::teeth;
 
 namespace {
-
-// 0.8 GPa, 10 m/s.
-BaseCase teeth() {
-  BaseCase base;
-  base.line = true;
-  base.load = 2e5;
-  base.R = 0.010;
-  base.u_m = 10.0;
-  base.srr = 0.4;
-  base.eta0 = 0.0165;
-  base.alpha = 18e-9;
-  return base;
-}
 
 /// A steady contact with heat, and its continuation in time.
 struct Hot {
@@ -87,7 +74,7 @@ std::vector<Step> marched(const Hot& contact, const transient::Conditions& condi
 
 BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
   for (const bool line : {true, false}) {
-    const Hot contact = line ? hot(teeth(), core::line_grid(256, -4.5, 1.5)) : hot(BaseCase{}, support::square(64));
+    const Hot contact = line ? hot(teeth(), along(256)) : hot(BaseCase{}, support::square(64));
     const std::vector<Step> steps = marched(contact, conditions_of(contact.base), {.end = 10.0});
     const auto compare = [&](const char* name, double Step::*value, double steady) {
       double moves = 0.0;
@@ -110,22 +97,38 @@ BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
   }
 }
 
-// A load that oscillates: steps of a fixed length, against very short ones.
+// A load that oscillates: steps of a fixed length, against very short ones with a small tolerance.
 BOOST_AUTO_TEST_CASE(the_steps_are_of_second_order) {
-  const Hot contact = hot(teeth(), core::line_grid(256, -4.5, 1.5));
+  const Hot contact = hot(teeth(), along(256));
   transient::Conditions conditions = conditions_of(contact.base);
   conditions.load.wave = transient::Schedule::Wave{.amplitude = 0.1, .period = 4.0};
   const auto at_end = [&](double longest, double rtol) {
     return marched(contact, conditions, {.end = 2.0, .rtol = rtol, .longest_step = longest}).back();
   };
-  const Step exact = at_end(0.01, 1e-5);
-  const Step coarse = at_end(0.08, 1e-2), fine = at_end(0.04, 1e-2);
+  const Step exact = at_end(0.01, 1e-6), coarse = at_end(0.08, 1e-2), fine = at_end(0.04, 1e-2);
   for (const auto& [name, value] : {std::pair("film", &Step::film), {"mu", &Step::mu}}) {
     const auto error = [&, part = value](const Step& step) { return std::abs(step.*part / exact.*part - 1.0); };
     const double order = std::log2(error(coarse) / error(fine));
     BOOST_TEST_MESSAGE(name << ": errors " << error(coarse) << ", " << error(fine) << ": order " << order
                             << " (at least 1.5)");
     BOOST_TEST(order >= 1.5);
+  }
+}
+
+// The first steps of a small tolerance are short; the far field must follow them.
+BOOST_AUTO_TEST_CASE(the_error_of_a_point_contact_follows_the_tolerance) {
+  const Hot contact = hot(BaseCase{}, support::square(32));
+  transient::Conditions conditions = conditions_of(contact.base);
+  conditions.load.wave = transient::Schedule::Wave{.amplitude = 0.1, .period = 4.0};
+  const auto at_end = [&](double rtol) {
+    return marched(contact, conditions, {.end = 2.0, .rtol = rtol, .longest_step = 0.2}).back();
+  };
+  const Step exact = at_end(1e-6), loose = at_end(1e-3), tight = at_end(1e-5);
+  for (const auto& [name, value] : {std::pair("Hc", &Step::Hc), {"film", &Step::film}, {"mu", &Step::mu}}) {
+    const auto error = [&, part = value](const Step& step) { return std::abs(step.*part / exact.*part - 1.0); };
+    BOOST_TEST_MESSAGE(name << ": error " << error(loose) << " with rtol = 1e-3, " << error(tight)
+                            << " with 1e-5 (at most 0.3 times that)");
+    BOOST_TEST(error(tight) <= 0.3 * error(loose));
   }
 }
 

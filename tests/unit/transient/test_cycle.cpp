@@ -57,6 +57,20 @@ BOOST_AUTO_TEST_CASE(half_the_radius_is_the_contact_of_that_radius) {
   BOOST_TEST(std::abs(before) > 0.05);
 }
 
+// The user stops while the second state is being solved: the rows end there, and that state is not known.
+BOOST_AUTO_TEST_CASE(a_state_under_way_can_be_stopped) {
+  const steady::Scene scene = roelands_line(10, 5, core::line_grid(64, -4.5, 1.5));
+  std::vector<StepRow> rows;
+  const auto keep = [&](const StepRow& row) {
+    rows.push_back(row);
+    return true;
+  };
+  const MarchReport report = quasi_steady(scene, {}, {}, {0.0, 1.0, 2.0}, {.row = keep}, [&] { return rows.empty(); });
+  BOOST_TEST((report.end == MarchEnd::interrupted));
+  BOOST_TEST_REQUIRE(rows.size() == 2U);
+  BOOST_TEST((rows[0].Hc > 0.0 && std::isnan(rows[1].Hc)));
+}
+
 // The states of radius, load and speed by themselves, and a cycle so slow that it passes through them.
 BOOST_AUTO_TEST_CASE(a_slow_cycle_is_the_quasi_steady_one) {
   const steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
