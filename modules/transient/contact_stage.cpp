@@ -160,11 +160,7 @@ StageResult ContactDae::respond(const Stage& stage, Iteration kind, double& rate
 
 // A state that the cycles cannot treat, such as a film outside the range of the closed far field, calls for a shorter
 // step.
-<<<<<<< HEAD
-StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
-=======
 StageResult ContactDae::attempt(const Stage& stage, const Drive& drive, std::span<double> correction) {
->>>>>>> 4a4666609dc8d017ca8ebe84e8fb2361b63d5bfb
   StageResult result{.solved = false};
   try {
     result = solved(stage, drive, correction);
@@ -173,8 +169,6 @@ StageResult ContactDae::attempt(const Stage& stage, const Drive& drive, std::spa
   }
   hierarchy_.outside_line = {};
   return result;
-<<<<<<< HEAD
-=======
 }
 
 // Without Newton's method cycles that diverge are damped, as at the start. The following steps keep what has helped.
@@ -188,7 +182,6 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   second.cycles += first.cycles;
   if (!second.solved) weight_ = before;
   return second;
->>>>>>> 4a4666609dc8d017ca8ebe84e8fb2361b63d5bfb
 }
 
 StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span<double> correction) {
