@@ -182,27 +182,18 @@ double ContactDae::least_film(std::span<const double> y) {
   return least;
 }
 
-static double share_of_cell = std::getenv("EHL_C") ? std::atof(std::getenv("EHL_C")) : 0.0;
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Patch& grid = hierarchy_.levels.back().grid;
   // IDA takes the mean over all unknowns. This factor turns it into a mean over the zone of the whole domain, also
   // where the grid covers only half of it, so both grids give the same time steps.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
   constexpr double not_tested = 1e-30;  // for unknowns that follow from the others; IDA requires weights above zero
-  // Line contacts: the front of the pressure moves through the mesh, which places it to a share of a cell only. To
-  // follow it more closely from node to node would take steps far shorter than the film needs.
-  const auto of_front = [&](std::size_t k, int i) {
-    if (!grid.domain.line) return 0.0;
-    const auto next = static_cast<std::size_t>(grid.nodes_y());
-    const double west = i > 0 ? y[k] - y[k - next] : 0.0, east = i < grid.nx ? y[k + next] - y[k] : 0.0;
-    return share_of_cell / control_.rtol * std::max(std::abs(west), std::abs(east));
-  };
   for_nodes(grid, [&](int i, int j, std::size_t k) {
     const double of_place = in_zone(i, j) ? inside : control_.tuning.weight_outside * inside;
     const double of_node = at_edge(y, i, j) ? control_.tuning.weight_at_edge * of_place : of_place;
     const double factor = std::max(not_tested, std::sqrt(grid.lines(j)) * of_node);
-    w[k] = factor / (std::abs(y[k]) + control_.P_scale + of_front(k, i));
-    w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale + of_front(nodes_ + k, i));
+    w[k] = factor / (std::abs(y[k]) + control_.P_scale);
+    w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });
   const double of_one = 0.5 * std::sqrt(static_cast<double>(size()));
   w[2 * nodes_] = of_one / (control_.Q_scale * control_.rtol);
