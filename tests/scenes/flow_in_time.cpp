@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_slow_ramp_ends_at_the_steady_contact) {
   const results::ResultFile film = solved(folder, "end", contact(1.2));
   for (const auto& [name, own, factor, allowed] :
        {std::tuple{"Hc", "/summary/Hc", 1.2, 1e-3}, std::tuple{"Hm", "/summary/Hm", 1.2, 2e-3},
-        std::tuple{"mu", "/summary/friction_mu", 1.0, 1e-4}}) {
+        std::tuple{"mu", "/summary/mu", 1.0, 1e-4}}) {
     const double ended = factor * column(run, name).back(), steady = film.numbers(own).values.front();
     BOOST_TEST_MESSAGE(name << " at the end " << ended << ", steady " << steady << " (" << allowed << ")");
     BOOST_TEST(std::abs(ended / steady - 1.0) < allowed);
