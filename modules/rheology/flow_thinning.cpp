@@ -124,9 +124,9 @@ Four stresses_of(const Law& law, const Four& right, Four x) {
   return x;
 }
 
-// Factors over thinning by sliding alone, for rates in tau_c/eta.
+// Factors over thinning by sliding alone, for rates in tau_c/eta. in: near: factors at a similar flow, or nullptr.
 template <class Law>
-FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flow_y) {
+FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flow_y, const FlowThinned* near) {
   Lanes along, across, per_rate;
   const auto evaluate = [&](Lanes rate, auto write) {
     for (int lane = 0; lane < core::lanes; ++lane) write(lane, thinned(law, rate[lane]));
@@ -140,22 +140,30 @@ FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flo
   if (core::all((flow_x <= least_x) & (flow_y <= least_y))) return {broadcast(1.0), broadcast(1.0), broadcast(1.0)};
   flow_x = core::max(flow_x, least_x);
   flow_y = core::max(flow_y, least_y);
+  const auto factors = [&](const Four& x) {
+    return FlowThinned{12.0 * flow_x / (x[2] * along), 12.0 * flow_y / (x[3] * across), x[0] * across / sliding};
+  };
+  const Four right{sliding, Lanes{}, flow_x, flow_y};
+  if (near != nullptr)
+    return factors(stresses_of(law, right,
+                               {near->stress * sliding / across, Lanes{}, 12.0 * flow_x / (near->along * along),
+                                12.0 * flow_y / (near->across * across)}));
   // Initial value: one viscosity, that at the largest rate.
   const Lanes at_wall = sliding + 6.0 * (flow_x + flow_y);
   evaluate(at_wall, [&](int lane, const Thinned& there) { per_rate[lane] = there.across; });
-  const Four x = stresses_of(law, {sliding, Lanes{}, flow_x, flow_y},
-                             {per_rate * sliding, Lanes{}, 12.0 * per_rate * flow_x, 12.0 * per_rate * flow_y});
-  return {12.0 * flow_x / (x[2] * along), 12.0 * flow_y / (x[3] * across), x[0] * across / sliding};
+  return factors(
+      stresses_of(law, right, {per_rate * sliding, Lanes{}, 12.0 * per_rate * flow_x, 12.0 * per_rate * flow_y}));
 }
 
 }  // namespace
 
-FlowThinned thinned_by_flow(const FlowThinning& thinning, Lanes H_fluidity, Lanes flow_x, Lanes flow_y) {
+FlowThinned thinned_by_flow(const FlowThinning& thinning, Lanes H_fluidity, Lanes flow_x, Lanes flow_y,
+                            const FlowThinned* near) {
   constexpr double largest_rate = 1e30;  // for a fluidity that underflows
   const Lanes k = core::min(thinning.k_m / H_fluidity, broadcast(largest_rate));
   return std::visit(
       [&](const auto& law) {
-        return thinned_under(law, k * thinning.sliding, k * core::abs(flow_x), k * core::abs(flow_y));
+        return thinned_under(law, k * thinning.sliding, k * core::abs(flow_x), k * core::abs(flow_y), near);
       },
       thinning.law);
 }

@@ -25,7 +25,7 @@ std::vector<deck::Key> shear_keys() {
        key("flow", by_default("off"), words({"off", "on"}), needs("law"),
            "on: the flow driven by the pressure gradient also thins the oil, with sliding or without it (srr = 0), and "
            "it obeys the limit of [friction]; the film is then computed by a fixed-point iteration. off: this flow is "
-           "taken to first order, without the limit. on is available for steady contacts.")});
+           "taken to first order, without the limit. In time on is not available with [thermal].")});
 }
 
 Shear read_shear(deck::Deck& deck) {

@@ -11,10 +11,11 @@ struct FlowThinned {
   core::Lanes stress;         ///< mean stress of sliding
 };
 
-/// in: H fluidity > 0; mean velocities of the flow, of either sign. Gauss rule with eight points, Newton's method for t
+/// in: H fluidity > 0; mean velocities of the flow, of either sign; near: the factors at a similar film and flow, from
+/// which fewer Newton steps are needed. Gauss rule with eight points, Newton's method for t
 /// and g. error: grows with g, [bench: flow_thinning_points]. limits: a flow that shears by less than no_stress
 /// (flow_thinning.cpp) counts as that value.
 FlowThinned thinned_by_flow(const FlowThinning& thinning, core::Lanes H_fluidity, core::Lanes flow_x,
-                            core::Lanes flow_y);
+                            core::Lanes flow_y, const FlowThinned* near = nullptr);
 
 }  // namespace ehl::rheology

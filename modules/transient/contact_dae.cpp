@@ -93,6 +93,7 @@ double ContactDae::take_factors(const FilmFactors& factors) {
                       std::abs(std::log(mobility / (level.factors->fluidity(i, j) * level.factors->mobility(i, j)))));
     stored_share_(i, j) = factors.stored(i, j) / now.carried(i, j);
   });
+  stress_ = factors.stress;
   multigrid::set_factors(hierarchy_, hierarchy_.levels.size() - 1, now);
   return change;
 }

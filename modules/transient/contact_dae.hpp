@@ -133,6 +133,8 @@ class ContactDae {
 
   /// Sets the factors of the effect. returns the largest change of ln(epsilon).
   double take_factors(const FilmFactors& factors);
+  /// Its factor on the shear stress of sliding; empty: 1.
+  const core::Field& stress() const { return stress_; }
 
  private:
   /// Method that solves the equations of an implicit step.
@@ -143,6 +145,7 @@ class ContactDae {
   StageResult iterate(const Stage& stage, Iteration kind, double& rate);
   StageResult respond(const Stage& stage, Iteration kind, double& rate);
   void set_known(const Stage& stage);
+  void renew_coupling(const Stage& stage, int cycle);
   double stored_share(int i, int j) const { return control_.coupling ? stored_share_(i, j) : 1.0; }
   bool newton_can() const;
   bool balanced_by_cycle(const Stage& stage) const;
@@ -178,6 +181,7 @@ class ContactDae {
   double from_nowhere_ = 0.0;
   core::Field P_before_, Q_before_;
   core::Field stored_share_;  ///< E/C of the effect
+  core::Field stress_{};      ///< factor of the effect on the shear stress of sliding
   std::vector<double> rho_;
 };
 

@@ -99,7 +99,7 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   while (!result.solved && taken < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
     ++taken;
-    if (control_.coupling) set_known(stage);
+    if (control_.coupling) renew_coupling(stage, taken);
     try {
       if (kind == Iteration::cycles)
         cycle();
@@ -131,6 +131,17 @@ StageResult ContactDae::iterate(const Stage& stage, Iteration kind, double& meas
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
   multigrid::renew_load_outside(hierarchy_, level);
   return result;
+}
+
+// What an effect on the coefficients changes from cycle to cycle. in: the number of this cycle. After the first few the
+// factors stay, because those of a node at the edge of the film may chatter.
+void ContactDae::renew_coupling(const Stage& stage, int cycle) {
+  if (control_.coupling->in_cycles && cycle <= control_.tuning.patience) {
+    multigrid::Level& level = hierarchy_.finest();
+    take_factors(control_.coupling->respond(stage.T, level.P, level.H));
+    multigrid::update_coefficients(hierarchy_, level);
+  }
+  set_known(stage);
 }
 
 // The effect responds to the solved state, and the step is solved again with its factors, until the state stays.
@@ -206,7 +217,7 @@ StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span
     result = iterate(stage, Iteration::newton, rate);
     result.cycles = cycles;
   }
-  if (result.solved && control_.coupling) {
+  if (result.solved && control_.coupling && !control_.coupling->in_cycles) {
     double rate = rate_;
     const StageResult again = respond(stage, result.newton_steps > 0 ? Iteration::newton : Iteration::cycles, rate);
     result = {again.solved, result.cycles + again.cycles, result.newton_steps + again.newton_steps};

@@ -10,7 +10,8 @@ namespace ehl::transient {
 /// What an effect does to the coefficients at one time.
 struct FilmFactors {
   film::FactorFields coefficients;
-  core::Field stored;  ///< factor on rho_bar H, the oil that the gap holds
+  core::Field stored;    ///< factor on rho_bar H, the oil that the gap holds
+  core::Field stress{};  ///< factor on the mean shear stress of sliding; empty: 1
 };
 
 /// The effect. Within an implicit step its factors are constant while the cycles run; between them it responds to the
@@ -26,6 +27,8 @@ struct Coupling {
   std::function<void()> accept{};
   /// The next step follows a jump, across which nothing is extrapolated.
   std::function<void()> restart{};
+  /// The effect responds before every cycle instead: its factors converge together with the state.
+  bool in_cycles = false;
 };
 
 }  // namespace ehl::transient

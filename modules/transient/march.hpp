@@ -74,6 +74,7 @@ struct Snapshot {
   const reynolds::FarField* far_field = nullptr;  ///< null: no oil outside the domain is known
   reynolds::FarState far{};
   const film::FactorFields* factors = nullptr;  ///< of an effect on the coefficients; null: none
+  const core::Field* stress = nullptr;          ///< its factor on the shear stress of sliding; null: 1
 };
 
 /// Everything that is needed to continue from here.

@@ -48,7 +48,8 @@ Snapshot snapshot_of(const multigrid::Hierarchy& hierarchy, const ContactDae& da
           .u2 = value(conditions.u2, T),
           .far_field = far_field ? &*far_field : nullptr,
           .far = multigrid::far_state(hierarchy, hierarchy.H00),
-          .factors = level.factors ? &*level.factors : nullptr};
+          .factors = level.factors ? &*level.factors : nullptr,
+          .stress = dae.stress().nodes_x() > 0 ? &dae.stress() : nullptr};
 }
 
 }  // namespace ehl::transient

@@ -115,12 +115,17 @@ Friction friction_at(const Case& input, const transient::Snapshot& state, Around
   parameters.oblique = !input.scene.grid.line && state.grid.north == core::Edge::zero;
   if (!fields) parameters.keep_tau1 = parameters.keep_tau2 = false;
   const core::Field P = core::on_domain(state.grid, state.P), H = core::on_domain(state.grid, state.H);
-  core::Field I0;
+  core::Field I0, less_tau;
   if (state.factors != nullptr) I0 = core::on_domain(state.grid, state.factors->fluidity);
-  return friction::friction_at(
-      input.scene,
-      {.grid = state.grid.domain, .P = P, .H = H, .H00 = state.far.H00, .I0 = state.factors != nullptr ? &I0 : nullptr},
-      around.of(input, state), state.far, parameters);
+  if (state.stress != nullptr) less_tau = core::on_domain(state.grid, *state.stress);
+  return friction::friction_at(input.scene,
+                               {.grid = state.grid.domain,
+                                .P = P,
+                                .H = H,
+                                .H00 = state.far.H00,
+                                .I0 = state.factors != nullptr ? &I0 : nullptr,
+                                .less_tau = state.stress != nullptr ? &less_tau : nullptr},
+                               around.of(input, state), state.far, parameters);
 }
 
 // A column of the steps. in: the friction in units of the load of the contact, and the state.

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "base/text_format.hpp"
 #include "case/coupled_film.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
+#include "effects/heat/flow_in_time.hpp"
 #include "rheology/shear_keys.hpp"
 
 namespace ehl::program {
@@ -40,6 +43,22 @@ Group shear_numbers() {
 
 namespace {
 
+// Refuses what is not available in time with thinning by the flow.
+void check_in_time(Case& input) {
+  const transient::Input& in_time = *input.transient;
+  const deck::Part shear{input.deck, "shear"};
+  if (in_time.conditions.body && in_time.conditions.body->gap)
+    shear.complain("flow", "needs a contact that carries its load at time 0: set flow = off, or remove gap of [body]");
+  if (transient::reversal(in_time.conditions, in_time.parameters.end) <= in_time.parameters.end)
+    shear.complain("flow", "is not available with a motion that reverses: set flow = off");
+  if (in_time.mode != transient::Mode::in_time)
+    shear.complain("flow", "is not available with quasi-steady states: set flow = off, or [transient] mode = in_time");
+  if (deck::given(input.deck, "output", "checkpoint"))
+    deck::complain(input.deck, "output", "checkpoint",
+                   "is not available for a run in time with [shear] flow = on, whose factors no checkpoint holds: "
+                   "remove it");
+}
+
 void enter(Case& input) {
   if (deck::called_for(input.deck, "shear")) settle_sliding_at_start(input);
   const std::optional<ShearInput> shear = shear_input(input.deck, input.physics);
@@ -47,7 +66,24 @@ void enter(Case& input) {
   input.scene.thinning = shear->sliding;
   input.flow_thinning = shear->flow;
   if (input.transient) input.transient->conditions.thinning_k = shear->k_of_u_m;
+  if (input.flow_thinning && input.transient) check_in_time(input);
   observe_friction(input);
+}
+
+InSteps in_steps(const Case& input) {
+  if (!input.flow_thinning) return {};
+  const auto course = std::make_shared<heat::FlowInTime>(
+      heat::FlowSetup{.viscosity = input.scene.viscosity,
+                      .thinning = *input.flow_thinning,
+                      .lambda = input.scene.lambda,
+                      .stress_of_u = stress_of_speed(input.physics),
+                      .limit = input.friction ? input.friction->limit : std::numeric_limits<double>::infinity(),
+                      .threads = input.scene.threads},
+      input.transient->conditions);
+  InSteps made{.coupling = course->coupling()};
+  // The functions refer to the object, which must live as long as they do.
+  made.coupling->accept = [course] {};
+  return made;
 }
 
 // A film with heat takes the thinning by the flow into its own iteration.
@@ -123,7 +159,7 @@ Effect shear_effect() {
           .sections = {{.name = "shear", .called_by = {"law"}}},
           .keys = rheology::shear_keys,
           .numbers = numbers::shear_numbers,
-          .stages = {.scene = enter, .film = film},
+          .stages = {.scene = enter, .film = film, .in_steps = in_steps},
           .on = [](const Case& input) { return input.scene.thinning.has_value(); },
           .what = what,
           .idle = idle,
@@ -131,7 +167,10 @@ Effect shear_effect() {
           .summary = summary,
           .warnings = warnings,
           // Thinning by sliding is part of every evaluation of the film and has no time of its own.
-          .seconds = [](const Computed& computed) { return computed.flow ? computed.flow->found.seconds : NAN; },
+          .seconds = [](const Computed& computed) -> double {
+            if (!computed.flow) return NAN;
+            return computed.flow->found.seconds + (computed.in_time ? computed.in_time->seconds.at("shear") : 0.0);
+          },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "shear.law=eyring", "shear.tau_0=5e6"}};
 }
 

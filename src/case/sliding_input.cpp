@@ -32,8 +32,8 @@ double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; 
 // Refuses what is not available with flow thinning.
 void check_passes(deck::Deck& deck, const Physics& physics) {
   const deck::Part shear{deck, "shear"};
-  if (given(deck, "transient", "end_time"))
-    shear.complain("flow", "is available for steady contacts only: set flow = off");
+  if (given(deck, "transient", "end_time") && deck::called_for(deck, "thermal"))
+    shear.complain("flow", "is not available in time together with [thermal]: set flow = off, or remove one of them");
   if (given(deck, "grid", "accuracy"))
     shear.complain("flow", "is not available together with [grid] accuracy: give [grid] cells");
   if (deck::word(deck, "multigrid", "polish") == "always")

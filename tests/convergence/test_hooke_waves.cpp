@@ -21,8 +21,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr Complex i_unit{0.0, 1.0};
 
-// The contact of Hooke 2006: 1 GPa, E' = 228 GPa, Eyring's tau_0 = 4 MPa; with this speed the film is so thick that
-// his |Q| is 0.18, 1.15 and 7.2 at wave lengths of 0.08, 0.2 and 0.5 b.
+// The contact of Hooke 2006. The speed, which he does not state, follows from his |Q|, which is a measure of the film.
 constexpr double p_h = 1e9, E_prime = 228e9, tau_0 = 4e6, M = 39.8, L = 7.94;
 constexpr double low = 2e-4;  // height of the waves in H, of a film of 0.035
 

@@ -794,7 +794,7 @@ class ShearKeys(TypedDict, total=False):
     """Carreau exponent n: at high shear rates the shear stress grows with the rate to the power n. (only with [shear] law = carreau)
     default: none; allowed: a number > 0 and <= 1"""
     flow: Literal["off", "on"] | bool
-    """on: the flow driven by the pressure gradient also thins the oil, with sliding or without it (srr = 0), and it obeys the limit of [friction]; the film is then computed by a fixed-point iteration. off: this flow is taken to first order, without the limit. on is available for steady contacts. (only with [shear] law)
+    """on: the flow driven by the pressure gradient also thins the oil, with sliding or without it (srr = 0), and it obeys the limit of [friction]; the film is then computed by a fixed-point iteration. off: this flow is taken to first order, without the limit. In time on is not available with [thermal]. (only with [shear] law)
     default: off; allowed: one of off, on"""
 
 class SupplyKeys(TypedDict, total=False):
