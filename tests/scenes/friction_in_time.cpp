@@ -122,9 +122,9 @@ BOOST_AUTO_TEST_CASE(threads_and_resume_keep_the_columns) {
 BOOST_AUTO_TEST_CASE(what_is_refused) {
   const support::TemporaryFolder folder;
   const std::string time = "[transient]\nend_time = 1\n";
-  support::check_refused(folder, {"thinning by the flow and a reversal",
-                                  point + time + sliding(0.5) + thins + "flow = on\n[transient]\nu1 = 0:1.25 1:-2\n",
-                                  {"[shear] flow", "flow = off"}});
+  support::check_refused(folder, {"thinning by the flow and a checkpoint",
+                                  point + time + sliding(0.5) + thins + "flow = on\n[output]\ncheckpoint = 60\n",
+                                  {"[output] checkpoint", "flow = on"}});
   support::check_refused(folder, {"two values of the sliding",
                                   point + sliding(0.5) + rubs + time + "u1 = 0:1.1 1:1\n",
                                   {"[transient] u1", "[motion]"}});
