@@ -142,8 +142,7 @@ double chosen_half_width(const Tuning& tuning, double X_a, double X_b, const con
   if (contact::circular(shape)) return wider * half_length;
   const double parts = stretched ? 64.0 : 16.0;
   const core::QuadraticForm gap = contact::gap(shape);
-  const double wanted =
-      std::max(tuning.least_half_width * contact::extent(shape).Y, wider * half_length * std::sqrt(gap.XX / gap.YY));
+  const double wanted = wider * half_length * std::sqrt(gap.XX / gap.YY);
   return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
 }
 

@@ -55,7 +55,7 @@ MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
 bool settles(const Tuning& tuning, const std::vector<double>& P) {
   const std::size_t n = P.size();
   const double before = std::abs(P[n - 2] - P[n - 3]);
-  return std::abs(P[n - 1] - P[n - 2]) <= std::max(tuning.pressure_falls * before, tuning.pressure_at_rest * P[n - 1]);
+  return std::abs(P[n - 1] - P[n - 2]) <= tuning.pressure_falls * before;
 }
 
 /// A hidden spike: the pressure at the rim is below a share of the plateau, about as in the dry contact, but ln eta_bar
@@ -177,8 +177,7 @@ void judge_by_adjoint(const Scene& scene, const adjoint::Errors& errors, const s
   bars.Hm_fitted = {std::min(mesh_error_of_Hm(tuning, errors.Hm, seen_Hm), tuning.most_of_levels * by_levels),
                     cycles_error_by_weights(tuning, errors.Hm, bars.Hm.algebraic)};
   bars.Hm = {bars.Hm_fitted.discretization + of_node, bars.Hm_fitted.algebraic};
-  // In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
-  const double zone = std::min(tuning.widest_zone, std::pow(last.Hm_fitted / scene.contact.edge_steepness, 2.0 / 3.0));
+  const double zone = std::pow(last.Hm_fitted / scene.contact.edge_steepness, 2.0 / 3.0);
   const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx / zone;
   if (changes_fall(levels))
     bars.Hc_extrapolated = Hc_by_weights(tuning, errors.Hc, last.Hc, seen_Hc, step, bars.Hc.algebraic);

@@ -62,7 +62,6 @@ struct Tuning {
   core::Positive most_at_inlet_of_line = 0.003;  ///< most_at_inlet of line contacts [bench: zero_domain]
   core::Positive most_of_load = 0.02;  ///< allowed error by the load outside, far field zero [bench: zero_domain]
   core::Positive wider_closed_domain = 1.25;  ///< half width over half length with the closed far field
-  core::Positive least_half_width = 1.4;      ///< least half width over that of an ellipse
   core::Positive domain_worth_a_look = 0.01;  ///< error of the domain that coarse solutions estimate, and a warning
   core::Count domain_fewest_cells = 32;       ///< least cells along x of these coarse solutions
   core::Share share_of_domain = 0.5;          ///< share of a required accuracy for the domain [bench: shares_of_domain]
@@ -88,7 +87,6 @@ struct Tuning {
 
   // Error bars (error_bars.cpp, observed_errors.cpp, layer_error.cpp, relief.cpp)
   core::Share pressure_falls = 0.7;      ///< last change of a pressure over the one before if it converges
-  core::Share pressure_at_rest = 1e-5;   ///< relative change that always counts as converged [bench: pressure_falls]
   core::Positive may_rise_by = 4.0;      ///< further growth of an unsettled spike over its last growth
   core::Positive order_of_P_max = 1.5;   ///< assumed order of convergence of P_max
   core::Share rim_without_spike = 0.85;  ///< pressure at the rim over the maximum without a spike [bench: solid_at_rim]
@@ -100,7 +98,6 @@ struct Tuning {
   core::Positive next_order = 2.0;           ///< next order of the terms [bench: share_of_disagreement_extrapolated]
   core::Share share_of_disagreement_extrapolated = 0.17;  ///< share of the disagreement in an extrapolated Hc
   core::Share share_of_terms_extrapolated = 0.6;          ///< share of the terms in an extrapolated Hm
-  core::Positive widest_zone = 0.5;                       ///< widest film zone in the error of an extrapolated Hc
   core::Positive most_of_levels = 3.0;                    ///< largest adjoint estimate of Hm over that of the grids
   core::Positive order_of_Hc_of_line = 1.55;              ///< assumed order of convergence of Hc of lines
   core::Positive order_of_Hm_of_line = 1.05;              ///< assumed order of Hm of lines [bench: order_of_Hc_of_line]
