@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "core/store_lines.hpp"
 #include "mlmi/line_sum.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
@@ -161,9 +162,9 @@ void Deformation::evaluate_along(std::span<const double> P, std::span<double> w)
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
   Implementation& own = *implementation_;
   if (own.line_sum) {
-    for (int i = 0; i < own.grid.nodes_x(); ++i) own.along_P[static_cast<std::size_t>(i)] = P(i, 1);
+    core::load_line(P, own.along_P);
     evaluate_along(own.along_P, own.along_w);
-    for (int i = 0; i < own.grid.nodes_x(); ++i) core::fill_lines(w.at_x(i), own.along_w[static_cast<std::size_t>(i)]);
+    core::store_line(own.along_w, w);
     return;
   }
   if (own.whole_P.nodes_x() == 0) {

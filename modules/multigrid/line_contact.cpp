@@ -3,29 +3,13 @@
 #include <algorithm>
 #include <span>
 
+#include "core/store_lines.hpp"
 #include "film/half_points.hpp"
 #include "multigrid/thread_work.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::multigrid {
 namespace {
-
-void gather(const core::Field& field, std::vector<double>& along) {
-  const double* own = field.at_x(0) + 1;
-  for (double& value : along) {
-    value = *own;
-    own += field.stride();
-  }
-}
-
-// The ghost lines on both sides of the one line of unknowns are copies of it.
-void scatter(std::span<const double> along, core::Field& field) {
-  double* station = field.at_x(0);
-  for (const double value : along) {
-    core::fill_lines(station, value);
-    station += field.stride();
-  }
-}
 
 // The film in epsilon: on a correcting grid at least the share H_floor of the finer grid's.
 void hold_film(const Level& level, std::vector<double>& H) {
@@ -96,17 +80,17 @@ void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
                .log_viscosity_across = nodes.log_viscosity_across,
                .rho_bar = nodes.rho_bar,
                .drho_bar = nodes.drho_bar});
-    scatter(nodes.fluidity, level.oil.fluidity);
-    scatter(nodes.log_viscosity, level.oil.log_viscosity);
+    core::store_line(nodes.fluidity, level.oil.fluidity);
+    core::store_line(nodes.log_viscosity, level.oil.log_viscosity);
   } else {
     hold_film(level, nodes.H);
     film::coefficients(
         model, line, work.film,
         {.eps = nodes.eps, .eps_across = nodes.fluidity_across, .rho_bar = nodes.rho_bar, .drho_bar = nodes.drho_bar});
-    scatter(nodes.eps, level.eps);
+    core::store_line(nodes.eps, level.eps);
   }
-  scatter(nodes.rho_bar, level.rho_bar);
-  scatter(nodes.drho_bar, level.drho_bar);
+  core::store_line(nodes.rho_bar, level.rho_bar);
+  core::store_line(nodes.drho_bar, level.drho_bar);
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const film::Between how = between(hierarchy.problem);
   if (reynolds::third_order(transport.wedge)) {
@@ -116,21 +100,21 @@ void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   if (!half_points) return;
   const std::span<double> faces = std::span<double>(nodes.eps).first(nodes.eps.size() - 1);
   epsilon_behind_nodes(how, nodes, faces);
-  scatter(faces, level.eps);
+  core::store_line(faces, level.eps);
 }
 
 }  // namespace
 
 void coefficients_along_line(Hierarchy& hierarchy, Level& level) {
   LineNodes& nodes = level.thread_work.front().line_nodes;
-  gather(level.P, nodes.P);
-  gather(level.H, nodes.H);
+  core::load_line(level.P, nodes.P);
+  core::load_line(level.H, nodes.H);
   coefficients_of_nodes(hierarchy, level);
 }
 
 void film_along_line(Hierarchy& hierarchy, Level& level) {
   LineNodes& nodes = level.thread_work.front().line_nodes;
-  gather(pressure_on_bodies(level), nodes.P);
+  core::load_line(pressure_on_bodies(level), nodes.P);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
     level.deformation.evaluate_along(nodes.P, nodes.H);
@@ -147,7 +131,7 @@ void film_along_line(Hierarchy& hierarchy, Level& level) {
   }
   if (with_F)
     for (int i = 0; i <= level.grid.nx; ++i) H[i] += level.F(i, 1);
-  scatter(nodes.H, level.H);
+  core::store_line(nodes.H, level.H);
   coefficients_of_nodes(hierarchy, level);
 }
 

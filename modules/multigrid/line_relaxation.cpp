@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/store_lines.hpp"
 #include "film/half_points.hpp"
 #include "multigrid/line_batch.hpp"
 #include "multigrid/line_contact.hpp"
@@ -21,6 +22,7 @@ using reynolds::WedgeWeights;
 Lanes at(const Values& values, int i) { return core::load(&values[static_cast<std::size_t>(i + LineSystem::margin)]); }
 void put(Values& values, int i, Lanes v) { core::store(&values[static_cast<std::size_t>(i + LineSystem::margin)], v); }
 double& one(Values& values, int i) { return values[static_cast<std::size_t>(i + LineSystem::margin)]; }
+std::span<double> nodes(Values& values, int first, int last) { return {&one(values, first), &one(values, last) + 1}; }
 
 /// Calls action(i) for vectors of nodes that together cover first .. last; entries after last are scratch.
 template <class Action>
@@ -92,8 +94,7 @@ class AlongLine {
 template <int reach>
 void AlongLine<reach>::gather() {
   const auto take = [this](const core::Field& field, Values& values) {
-    const double* own = field.at_x(0) + 1;
-    for (int i = 0; i <= grid_.nx; ++i, own += field.stride()) one(values, i) = *own;
+    core::load_line(field, nodes(values, 0, grid_.nx));
   };
   take(level_.P, work_.P);
   take(level_.H, work_.rho_H);
@@ -258,7 +259,7 @@ void AlongLine<reach>::apply() {
     if (!in_time_) change *= weight_of_change(how_, at(work_.distributive, i), range_at(i));
     put(work_.delta, i, reynolds::projected(cavitation_, at(work_.P, i) + change));
   });
-  for (int i = 1; i < grid_.nx; ++i) core::fill_lines(level_.P.at_x(i), one(work_.delta, i));
+  core::store_line(nodes(work_.delta, 1, grid_.nx - 1), level_.P, 1);
 }
 
 }  // namespace

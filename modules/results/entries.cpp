@@ -64,38 +64,42 @@ std::vector<double> stations(const core::Grid& nodes) {
 
 void grid(List& list, const std::string& of, const core::Grid& nodes) {
   std::vector<double> y;
-  for (int j = 0; j < nodes.nodes_y(); ++j) y.push_back(nodes.Y(j));
+  for (int j = 0; j < lines_of(nodes); ++j) y.push_back(nodes.Y(j));
   axis(list, of + "/x", stations(nodes), "X of the nodes, in the rolling direction");
   axis(list, of + "/y", y, "Y of the nodes, across the rolling direction");
 }
 
-std::vector<std::size_t> dims_of(const core::Field& field) {
-  return {static_cast<std::size_t>(field.nodes_y()), static_cast<std::size_t>(field.nodes_x())};
+std::vector<std::size_t> dims_of(const core::Field& field, bool one_line) {
+  return {one_line ? 1 : static_cast<std::size_t>(field.nodes_y()), static_cast<std::size_t>(field.nodes_x())};
 }
 
-void field(List& list, const std::string& of, const NamedField& one) {
-  list.add(
-      {.path = of + "/" + one.name, .kind = Entry::Kind::numbers, .dims = dims_of(*one.field), .fields = {one.field}},
-      {{"unit", one.unit}, {"meaning", one.meaning}});
+void field(List& list, const std::string& of, const NamedField& one, bool one_line = false) {
+  list.add({.path = of + "/" + one.name,
+            .kind = Entry::Kind::numbers,
+            .dims = dims_of(*one.field, one_line),
+            .fields = {one.field},
+            .one_line = one_line},
+           {{"unit", one.unit}, {"meaning", one.meaning}});
 }
 
-void series(List& list, const std::string& of, const Series& one) {
+void series(List& list, const std::string& of, const Series& one, bool one_line = false) {
   if (one.fields.empty()) return;
-  std::vector<std::size_t> dims = dims_of(*one.fields[0]);
+  std::vector<std::size_t> dims = dims_of(*one.fields[0], one_line);
   dims.insert(dims.begin(), one.fields.size());
   list.add({.path = of + "/" + one.name,
             .kind = Entry::Kind::numbers,
             .dims = dims,
             .fields = one.fields,
+            .one_line = one_line,
             .single = one.single},
            {{"unit", one.unit}, {"meaning", one.meaning}});
 }
 
-void frames(List& list, const Frames& of) {
+void frames(List& list, const Frames& of, bool one_line) {
   if (of.group.empty()) return;
   list.group(of.group);
   column(list, of.group, {"time", "a/u_m", "times of the fields", false, of.times});
-  for (const Series& one : of.series) series(list, of.group, one);
+  for (const Series& one : of.series) series(list, of.group, one, one_line);
 }
 
 std::string names_of(const std::vector<Column>& columns) {
@@ -132,7 +136,7 @@ void volume(List& list, const Volume& of) {
   list.group(of.group, of.meaning);
   grid(list, of.group, of.grid);
   axis(list, of.group + "/z", of.depths, "depth below the surface");
-  for (const Series& one : of.series) series(list, of.group, one);
+  for (const Series& one : of.series) series(list, of.group, one, of.grid.line);
   quantities(list, of.group, of.numbers);
   const Column z{"z", "a", "depth below the surface, in Hertz radii", false, of.depths};
   section(list, of.grid, {of.group + "/section", of.section_meaning, z, of.section});
@@ -154,15 +158,25 @@ const std::string* attribute(const Entry& entry, const std::string& name) {
   return nullptr;
 }
 
-std::vector<double> row_by_row(const core::Field& from) {
-  const auto rows = static_cast<std::size_t>(from.nodes_y());
-  const auto columns = static_cast<std::size_t>(from.nodes_x());
+std::vector<double> row_by_row(const Entry& entry, std::size_t field) {
+  const core::Field& from = *entry.fields[field];
+  const std::size_t rows = entry.dims[entry.dims.size() - 2], columns = entry.dims.back();
   std::vector<double> values(rows * columns);
   for (std::size_t i = 0; i < columns; ++i) {
-    const std::span<const double> station = from.station(static_cast<int>(i));
+    const double* station = from.at_x(static_cast<int>(i)) + (entry.one_line ? 1 : 0);
     for (std::size_t j = 0; j < rows; ++j) values[j * columns + i] = station[j];
   }
   return values;
+}
+
+core::Field field_of(const Array& array) {
+  const std::size_t lines = array.dims[0], length = array.dims[1];
+  const int nodes_y = lines == 1 ? 3 : static_cast<int>(lines);
+  core::Field field(static_cast<int>(length), nodes_y);
+  for (int i = 0; i < field.nodes_x(); ++i)
+    for (int j = 0; j < nodes_y; ++j)
+      field(i, j) = array.values[(lines == 1 ? 0 : static_cast<std::size_t>(j)) * length + static_cast<std::size_t>(i)];
+  return field;
 }
 
 std::vector<Entry> entries(const Content& content) {
@@ -176,11 +190,11 @@ std::vector<Entry> entries(const Content& content) {
   list.group("/grid");
   grid(list, "/grid", content.grid);
   list.group("/fields");
-  for (const NamedField& one : content.fields) field(list, "/fields", one);
+  for (const NamedField& one : content.fields) field(list, "/fields", one, content.grid.line);
   list.group("/summary");
   quantities(list, "/summary", content.summary);
   for (const Table& one : content.tables) table(list, one);
-  frames(list, content.frames);
+  frames(list, content.frames, content.grid.line);
   loose(list, content.checkpoint);
   volume(list, content.volume);
   section(list, content.grid, content.section);

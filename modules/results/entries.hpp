@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/content.hpp"
+#include "results/read.hpp"
 
 namespace ehl::results {
 
@@ -20,6 +21,7 @@ struct Entry {
   std::vector<std::size_t> dims{};           ///< for Kind::numbers; empty: a single one
   std::vector<double> values{};              ///< last dimension fastest; empty if the values are in `fields`
   std::vector<const core::Field*> fields{};  ///< row = y, column = x; for three dimensions one field per first index
+  bool one_line = false;                     ///< of these fields only line 1, the one of a line contact
   bool whole = false;                        ///< integers (counts)
   bool single = false;                       ///< stored in single precision
   std::vector<std::pair<std::string, std::string>> attributes{};  ///< unit, meaning, error; without empty ones
@@ -28,8 +30,13 @@ struct Entry {
 /// An attribute; nullptr if the entry has none.
 const std::string* attribute(const Entry& entry, const std::string& name);
 
-/// Values of a field, row = y, column = x, column fastest.
-std::vector<double> row_by_row(const core::Field& from);
+/// Lines of a grid in a file, where a line contact has one.
+inline int lines_of(const core::Grid& grid) { return grid.line ? 1 : grid.nodes_y(); }
+
+/// Values of a field of an entry, row = y, column = x, column fastest.
+std::vector<double> row_by_row(const Entry& entry, std::size_t field);
+/// A field that was read from a file, as computed: a single line of the file becomes three equal ones.
+core::Field field_of(const Array& array);
 
 /// All entries of a result except views, groups before their contents. Unknown numbers have no entry. The entries point
 /// to the fields to which the content points.

@@ -7,7 +7,6 @@
 #include "results/atomic_file.hpp"
 #include "results/entries.hpp"
 #include "results/hdf5_handle.hpp"
-#include "results/one_line.hpp"
 
 namespace ehl::results {
 namespace {
@@ -83,7 +82,7 @@ void numbers(const Writer& writer, const Entry& entry) {
   const Handle space =
       checked(rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, dims.data(), nullptr), H5Sclose, cannot);
   const Handle made = dataset(writer, entry.path, stored_type(entry), space, of_dataset(writer));
-  const std::vector<double> of_field = entry.fields.empty() ? std::vector<double>{} : row_by_row(*entry.fields.front());
+  const std::vector<double> of_field = entry.fields.empty() ? std::vector<double>{} : row_by_row(entry, 0);
   const std::vector<double>& values = entry.fields.empty() ? entry.values : of_field;
   if (entry.whole) {
     const std::vector<std::int64_t> integers(values.begin(), values.end());
@@ -110,7 +109,7 @@ void series(const Writer& writer, const Entry& entry) {
   for (std::size_t k = 0; k < entry.fields.size(); ++k) {
     const hsize_t start[] = {k, 0, 0};
     check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
-    const std::vector<double> values = row_by_row(*entry.fields[k]);
+    const std::vector<double> values = row_by_row(entry, k);
     check(H5Dwrite(made, H5T_NATIVE_DOUBLE, of_piece, space, H5P_DEFAULT, values.data()), cannot);
   }
   describe(writer, made, entry);
@@ -158,7 +157,6 @@ void everything(const Writer& writer, const Content& content) {
 // HDF5 may report a full disk as late as in the close and then cannot close the file. So it writes only to memory, and
 // system calls whose errors can be handled write the bytes to disk.
 std::vector<std::byte> image(const std::string& path, const Content& content) {
-  if (has_copies(content)) return image(path, OneLine(content).content);
   const QuietErrors quiet;
   const std::string cannot = path + ": cannot build the result";
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
@@ -181,12 +179,11 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
 }
 
 std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
-  const auto points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());
+  const auto points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(lines_of(nodes));
   return 100000 + fields * points * sizeof(double);  // the constant is for deck, tables and provenance
 }
 
 void write(const std::string& path, const Content& content, bool overwrite) {
-  if (has_copies(content)) return write(path, OneLine(content).content, overwrite);
   write_atomically(path, image(path, content), overwrite);
   const std::string description = xdmf(path, content);
   write_atomically(xdmf_name(path), std::as_bytes(std::span(description)), overwrite);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "results/entries.hpp"
 #include "results/write.hpp"
 
 namespace ehl::results {
@@ -67,7 +68,7 @@ std::string grids_in_time(const Texts& texts, const Content& content) {
 }
 
 std::string grid_in_space(const Texts& texts, const Volume& volume) {
-  const std::string x = std::to_string(volume.grid.nodes_x()), y = std::to_string(volume.grid.nodes_y());
+  const std::string x = std::to_string(volume.grid.nodes_x()), y = std::to_string(lines_of(volume.grid));
   const std::string z = std::to_string(volume.depths.size()), all = z + " " + y + " " + x;
   std::string text = "  <Grid Name=\"" + escaped(volume.meaning) +
                      "\" GridType=\"Uniform\">\n   <Topology TopologyType=\"3DRectMesh\" Dimensions=\"" + all +
@@ -94,7 +95,7 @@ std::string xdmf_name(const std::string& path) {
 
 std::string xdmf(const std::string& path, const Content& content) {
   const Texts texts{escaped(std::filesystem::path(path).filename()), std::to_string(content.grid.nodes_x()),
-                    std::to_string(content.grid.nodes_y())};
+                    std::to_string(lines_of(content.grid))};
   return "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n <Domain>\n" +
          (content.frames.series.empty() ? grid_of_fields(texts, content) : grids_in_time(texts, content)) +
          (content.volume.group.empty() ? "" : grid_in_space(texts, content.volume)) + " </Domain>\n</Xdmf>\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/store_lines.hpp"
 #include "mlmi/fourier_convolution.hpp"
 
 namespace ehl::thermal {
@@ -114,8 +115,8 @@ LineConvolution::LineConvolution(const core::Patch& patch, const SourceTable& ta
 }
 
 void LineConvolution::apply(const core::Field& q, core::Field& theta) {
-  const int nodes = patch_.nodes_x(), line = patch_.last_line();
-  for (int i = 0; i < nodes; ++i) q_[size(i)] = q(i, line);
+  const int nodes = patch_.nodes_x();
+  core::load_line(q, q_);
   std::ranges::fill(theta_, 0.0);
   for (std::size_t k = 0; k < G_.size(); ++k) {
     const int d = first_ + static_cast<int>(k), begin = std::max(0, d), end = std::min(nodes, nodes + d);
@@ -124,7 +125,7 @@ void LineConvolution::apply(const core::Field& q, core::Field& theta) {
     double* to = theta_.data() + begin;
     for (int i = 0; i < end - begin; ++i) to[i] += G * from[i];
   }
-  for (int i = 0; i < nodes; ++i) core::fill_lines(theta.at_x(i), theta_[size(i)]);
+  core::store_line(theta_, theta);
 }
 
 Source make_source(const core::Patch& patch, const SourceTable& table, int threads) {

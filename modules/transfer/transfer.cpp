@@ -37,23 +37,21 @@ void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, c
 void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads) {
   const int columns = fine.nodes_x();
   const int last = coarse.nodes_y() - 1;
-  if (fine.nodes_y() == coarse.nodes_y()) {
-    for (int i = 0; i < columns; ++i) core::fill_lines(fine.at_x(i), 0.5 * (coarse(i / 2, 1) + coarse((i + 1) / 2, 1)));
-    return;
-  }
   const int every_x = columns == coarse.nodes_x() ? 1 : 2;
+  const bool same_lines = fine.nodes_y() == coarse.nodes_y();
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 0; i < columns; ++i) {
     const double* west = coarse.at_x(i / every_x);
     const double* east = coarse.at_x((i + every_x - 1) / every_x);
     double* to = fine.at_x(i);
-    for (int J = 0; J < last; ++J) {
+    for (int J = 0; same_lines && J <= last; ++J) to[J] = 0.5 * (west[J] + east[J]);
+    for (int J = 0; !same_lines && J < last; ++J) {
       const double here = 0.5 * (west[J] + east[J]);
       const double next = 0.5 * (west[J + 1] + east[J + 1]);
       to[2 * J] = here;
       to[2 * J + 1] = 0.5 * (here + next);
     }
-    to[2 * last] = 0.5 * (west[last] + east[last]);
+    if (!same_lines) to[2 * last] = 0.5 * (west[last] + east[last]);
   }
 }
 

@@ -38,8 +38,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 // Joins the values of all fields of an entry into one array.
 void gather(results::Entry& entry) {
-  for (const core::Field* field : entry.fields) {
-    const std::vector<double> rows = results::row_by_row(*field);
+  for (std::size_t k = 0; k < entry.fields.size(); ++k) {
+    const std::vector<double> rows = results::row_by_row(entry, k);
     entry.values.insert(entry.values.end(), rows.begin(), rows.end());
   }
   entry.fields.clear();
@@ -54,7 +54,7 @@ void hold(HeldResult& result, results::Entry&& entry) {
     held.error = made.path.substr(0, made.path.rfind('/') + 1) + *error;
   if (made.kind != results::Entry::Kind::numbers) return;
   if (!made.fields.empty()) {
-    held.values = made.fields.front()->at_x(0);
+    held.values = made.fields.front()->at_x(0) + (made.one_line ? 1 : 0);
     held.strides[0] = 1;
     held.strides[1] = made.fields.front()->stride();
     return;
@@ -67,13 +67,6 @@ void hold(HeldResult& result, results::Entry&& entry) {
 
 void hold_all(HeldResult& result, const results::Content& content) {
   for (results::Entry& entry : results::entries(content)) hold(result, std::move(entry));
-}
-
-// A line contact may be solved as three equal grid lines; the interface shows the one line that the result file holds.
-const results::Content& as_kept(HeldResult& result) {
-  const results::Content& content = *result.content;
-  if (!results::has_copies(content)) return content;
-  return result.line.emplace(content).content;
 }
 
 results::Entry numbers_of(const results::ResultFile& file, const std::string& path) {
@@ -136,7 +129,7 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
     result.content = whole_content(input, result.computed);
     result.report = printed(input, result.computed, false);
     result.warnings = with_names(all_warnings(input, result.computed));
-    hold_all(result, as_kept(result));
+    hold_all(result, *result.content);
   });
 }
 

@@ -11,7 +11,6 @@
 #include "case/computed.hpp"
 #include "case/scene.hpp"
 #include "results/entries.hpp"
-#include "results/one_line.hpp"
 
 namespace ehl::program {
 
@@ -35,7 +34,6 @@ struct HeldResult {
   // The objects that the entries and the content point to.
   std::optional<Case> input{};
   Computed computed{};
-  std::optional<results::OneLine> line{};
 };
 
 /// The case of a deck. in: text: the deck; nullptr: the deck is read from the file `name`. errors: core::InputError,

@@ -9,7 +9,7 @@
 #include "case/transient_run.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "results/one_line.hpp"
+#include "results/entries.hpp"
 
 namespace ehl::program {
 namespace {
