@@ -1,15 +1,12 @@
 #!/usr/bin/env python3
 """Keeps the tuned numbers of the modules in one place: modules/<module>/tuning.hpp.
 
-  tuning.py --write   writes the table of names and meanings (tuning.cpp) of every module from its tuning.hpp
-  tuning.py           checks: exit status 1 with one line per finding
-
-The checks: the tables agree with the headers; every number and every rule has its row in tests/bench/tuning.csv; there
-are no more numbers than counted below; and no other file of these modules has a constant that the lists below do not name.
+It checks, with exit status 1 and one line per finding: every number and every rule has its row in
+tests/bench/tuning.csv; there are no more numbers than counted below; and no other file of these modules has a constant
+that the lists below do not name.
 """
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -88,25 +85,6 @@ def numbers_of(header):
     return result
 
 
-def table_of(header):
-    folder = header.parent.relative_to(ROOT / "modules")
-    lines = "".join(
-        f'      {{"{name}", Tunable::{kind.lower()}, &Tuning::{name}, "{meaning}"}},\n'
-        for kind, name, _, meaning, _ in numbers_of(header))
-    return (f"// Written by tests/structure/tuning.py from tuning.hpp.\n"
-            f'#include "{folder}/tuning.hpp"\n\n'
-            f"namespace ehl::{folder.name} {{\n\n"
-            f"const std::vector<core::TunedNumber<Tuning>>& tuned_numbers() {{\n"
-            f"  using core::Tunable;\n"
-            f"  static const std::vector<core::TunedNumber<Tuning>> table{{\n{lines}  }};\n"
-            f"  return table;\n}}\n\n}}  // namespace ehl::{folder.name}\n")
-
-
-def bare(text):
-    """The text without what a formatter changes."""
-    return re.sub(r"\s", "", re.sub(r'"\s*\n\s*"', "", text)).replace(",}", "}")
-
-
 def rows_of_bench():
     """The rows of tuning.csv: name and place."""
     lines = (ROOT / "tests/bench/tuning.csv").read_text().splitlines()
@@ -128,8 +106,6 @@ def constants_in(folder):
 def findings(header):
     module = header.parent.name
     numbers = numbers_of(header)
-    if bare(header.with_suffix(".cpp").read_text()) != bare(table_of(header)):
-        yield f"{header.with_suffix('.cpp').relative_to(ROOT)} is not what tuning.hpp says: tuning.py --write"
     place = str(header.relative_to(ROOT / "modules"))
     declared = len(re.findall(r"^  core::\w+ \w+ =", header.read_text(), re.M))
     if declared != len(numbers):
@@ -156,12 +132,6 @@ def findings(header):
 def main():
     headers = sorted(ROOT.glob("modules/**/tuning.hpp"))
     headers = [header for header in headers if header.parent.name != "core"]
-    if sys.argv[1:] == ["--write"]:
-        for header in headers:
-            table = header.with_suffix(".cpp")
-            table.write_text(table_of(header))
-            subprocess.run(["clang-format", "-i", str(table)], check=True)
-        return 0
     found = [text for header in headers for text in findings(header)]
     for text in found:
         print(text)
