@@ -23,6 +23,9 @@ std::string about_seconds(double seconds);
 /// An estimated relative error: "0.58 %".
 std::string percent(double fraction);
 
+/// What stands behind every printed number of a solution that has not converged.
+inline const char* convergence_mark(bool converged) { return converged ? "" : "  (NOT CONVERGED)"; }
+
 /// "1 thread", "4 threads".
 std::string threads_text(int threads);
 /// One line "warning: text [name]" for each warning.

@@ -113,14 +113,13 @@ std::string summary(const Case& input, const Computed& computed) {
     const char* unit = numbers::per_length(input) ? "N/m" : "N";
     return fmt::format(" ({:.3g} {})", mu * whole_load(*input.physics.si), unit);
   };
-  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
   const auto with_bar = [](double mu, double error) {
     return std::isfinite(error) && mu != 0.0 ? " +- " + percent(error) : "";
   };
-  std::string text =
-      fmt::format("friction     {}mu = {:.5g}{} sliding{}, {:.3g}{} rolling{}{}\n",
-                  computed.in_time ? "at the start " : "", f.sliding, with_bar(f.sliding, f.error_sliding),
-                  in_newtons(f.sliding), f.rolling, with_bar(f.rolling, f.error_rolling), in_newtons(f.rolling), mark);
+  std::string text = fmt::format(
+      "friction     {}mu = {:.5g}{} sliding{}, {:.3g}{} rolling{}{}\n", computed.in_time ? "at the start " : "",
+      f.sliding, with_bar(f.sliding, f.error_sliding), in_newtons(f.sliding), f.rolling,
+      with_bar(f.rolling, f.error_rolling), in_newtons(f.rolling), convergence_mark(computed.solution.converged));
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);

@@ -96,7 +96,7 @@ std::string summary(const Case&, const Computed& computed) {
   return fmt::format(
       "shear        with thinning by the pressure gradient: Hc {:+.2g} %, Hm {:+.2g} % in {} iterations{}\n",
       100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0), row.passes,
-      computed.solution.converged ? "" : "  (NOT CONVERGED)");
+      convergence_mark(computed.solution.converged));
 }
 
 // Warnings about the friction, which [friction] gives itself.

@@ -138,7 +138,7 @@ std::string what(const Case& input) {
 std::string summary(const Case& input, const Computed& computed) {
   if (!computed.stresses) return {};
   const StressField& field = *computed.stresses;
-  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  const char* mark = convergence_mark(computed.solution.converged);
   return maximum_line("von Mises   ", field.mises, input.physics, mark) +
          maximum_line("tau_max     ", field.shear, input.physics, mark) + "subsurface   " +
          nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +

@@ -102,7 +102,7 @@ std::string roller_summary(const Case& input, const Computed& computed) {
   const Physics& physics = input.physics;
   const End& end = harder(found);
   const RollerBars bars = bars_of(result);
-  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  const char* mark = convergence_mark(computed.solution.converged);
   std::string text = fmt::format("roller       middle: p = {}{}, dry {}; load per length {:.4f} of the mean{}\n",
                                  pressure_text(found.middle.P_max, physics), with_bar(bars.P_middle),
                                  known("{:.4f}", result.dry.middle.P_max), found.middle.load, mark);

@@ -157,7 +157,7 @@ results::Table table_of_tracks(const steady::Solution& solution) {
 std::string starvation_summary(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const Starvation& found = *solution.starvation;
-  const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  const char* mark = convergence_mark(solution.converged);
   std::string text =
       found.flooded_converged
           ? fmt::format("starvation   factor {:.4f} of the flooded film (Hc = {:.5f}) at a supply of {:.4f} of it{}\n",

@@ -105,7 +105,7 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
   const heat::Solution& found = heat.found;
   const HeatInput& in = *input.heat;
   const thermal::InletGroups inlet = inlet_groups(input);
-  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  const char* mark = convergence_mark(computed.solution.converged);
   constexpr const char* no_oil = " (no oil carries it)";
   std::string text =
       fmt::format("thermal      mu = {:.5g}{}{}, isothermal {:.5g}{}{}\n", heat.mu,

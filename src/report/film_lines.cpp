@@ -27,7 +27,7 @@ std::string film_lines(const Case& input, const Computed& computed) {
   const steady::ErrorBars& bars = solution.error_bars;
   const std::optional<SiScales> si = si_scales(input.physics);
   const bool broke_off = !why_incomplete(computed.in_time).empty();
-  const std::string mark = !solution.converged ? "  (NOT CONVERGED)" : broke_off ? "  (steady start)" : "";
+  const std::string mark = solution.converged && broke_off ? "  (steady start)" : convergence_mark(solution.converged);
   // The error of the domain applies to both films.
   const double domain = std::abs(bars.domain);
   const bool by_weights = std::isfinite(bars.Hc_best.value);
@@ -97,7 +97,7 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
     if (si)
       text += symbol_of(id::hm) + " = " + film_text(bars.Hm_fitted_value, *si) + error + place_text(X, Y, *si) + "; ";
     text += fmt::format("{} = {:.6f}{}({:.4f}, {:.4f}) a{}\n", symbol_of(id::Hm), bars.Hm_fitted_value,
-                        si ? ", at " : error, X, Y, solution.converged ? "" : "  (NOT CONVERGED)");
+                        si ? ", at " : error, X, Y, convergence_mark(solution.converged));
   }
   if (std::isfinite(bars.Hc.discretization))
     text +=

@@ -86,7 +86,7 @@ std::string summary(const Case& input, const Computed& computed) {
   const Place& P_max = computed.outcome.P_max;
   const std::optional<ElasticContact>& contact = input.dry->contact;
   const std::optional<SiScales> si = si_scales(input.physics);
-  const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  const char* mark = convergence_mark(solution.converged);
   const dry::GridRow& last = solution.rows.back();
   std::string text = table(solution, si);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
