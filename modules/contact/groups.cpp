@@ -1,7 +1,6 @@
 #include "contact/groups.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/constants.hpp"
 
@@ -22,13 +21,16 @@ double power_of_speed(const Ellipse& shape) { return line(shape) ? 0.5 : 0.75; }
 }  // namespace
 
 Groups from_moes(double M, double L, const Ellipse& shape) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (line(shape))
-    return {M, L, 3.0 * pi * pi / (8.0 * M * M), L * std::sqrt(M / (2.0 * pi)), unknown, unknown, unknown, shape};
+    return {.M = M,
+            .L = L,
+            .lambda = 3.0 * pi * pi / (8.0 * M * M),
+            .alpha_bar = L * std::sqrt(M / (2.0 * pi)),
+            .shape = shape};
   const double of_circle = std::cbrt(128.0 * pi * pi * pi / 3.0) * std::pow(M, -4.0 / 3.0);
   const double lambda = of_circle / (shape.a * shape.a * shape.a * shape.p_h);
   const double alpha_bar = L / pi * std::cbrt(1.5 * M) * shape.p_h;
-  return {M, L, lambda, alpha_bar, unknown, unknown, unknown, shape};
+  return {.M = M, .L = L, .lambda = lambda, .alpha_bar = alpha_bar, .shape = shape};
 }
 
 Groups from_moes(double M, double L, double U, const Ellipse& shape) {

@@ -20,6 +20,7 @@
 // alpha_bar and thus the dimensionless solution; an elliptic contact also needs its ratio of radii and angle. W, U and
 // G follow if one of them is known as well.
 #include "contact/ellipse.hpp"
+#include "core/constants.hpp"
 
 namespace ehl::contact {
 
@@ -29,9 +30,9 @@ struct Groups {
   double L;
   double lambda;
   double alpha_bar;
-  double W;
-  double U;
-  double G;
+  double W = core::unknown;
+  double U = core::unknown;
+  double G = core::unknown;
   Ellipse shape{};
 };
 

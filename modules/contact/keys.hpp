@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "contact/ellipse.hpp"
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 #include "kernel/coating.hpp"
 
@@ -12,28 +12,26 @@ namespace ehl::contact {
 /// Set of quantities by which a deck defines the contact.
 enum class Language { none, moes, hamrock_dowson, si };
 
-inline constexpr double silent = std::numeric_limits<double>::quiet_NaN();
-
 /// Elastic bodies pressed together.
 struct Bodies {
-  double load = silent;                     ///< [N]; for a line contact [N/m]
-  double radius = silent;                   ///< R_x [m]
-  double E_prime = silent;                  ///< of the scales [Pa]; of coated bodies by equivalent_modulus()
-  double E_prime_uncoated = silent;         ///< of the bodies without their coatings [Pa]
+  double load = core::unknown;              ///< [N]; for a line contact [N/m]
+  double radius = core::unknown;            ///< R_x [m]
+  double E_prime = core::unknown;           ///< of the scales [Pa]; of coated bodies by equivalent_modulus()
+  double E_prime_uncoated = core::unknown;  ///< of the bodies without their coatings [Pa]
   std::vector<kernel::Coating> coatings{};  ///< thickness in m
 };
 
 /// [contact] and [motion]; NaN for quantities that the deck does not define.
 struct Input {
   Language language = Language::none;  ///< none: an error has been reported
-  double M = silent, L = silent;
-  double W = silent, U = silent, G = silent;
-  double a_over_R = silent;
-  double Sq1 = silent, Sq2 = silent;  ///< roughness [m]
+  double M = core::unknown, L = core::unknown;
+  double W = core::unknown, U = core::unknown, G = core::unknown;
+  double a_over_R = core::unknown;
+  double Sq1 = core::unknown, Sq2 = core::unknown;  ///< roughness [m]
   Bodies bodies{};
   Ellipse shape{};
-  double u1 = silent, u2 = silent;  ///< [m/s]
-  double u_s = silent;              ///< u1 + u2
+  double u1 = core::unknown, u2 = core::unknown;  ///< [m/s]
+  double u_s = core::unknown;                     ///< u1 + u2
   double srr = 0.0;
 };
 

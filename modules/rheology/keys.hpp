@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 #include "rheology/laws.hpp"
 
@@ -14,7 +14,7 @@ namespace ehl::rheology {
 struct Liquid {
   std::optional<ViscosityLaw> viscosity{};
   std::optional<DensityLaw> density{};
-  double table_end = std::numeric_limits<double>::quiet_NaN();  ///< highest pressure of the table [Pa]
+  double table_end = core::unknown;  ///< highest pressure of the table [Pa]
 };
 
 /// An oil at ambient pressure, from its viscosities at 40 and 100 C.
@@ -26,16 +26,15 @@ struct AmbientOil {
 
 /// [lubricant]; NaN if neither the deck nor a law or fluid gives the value.
 struct Oil {
-  static constexpr double silent = std::numeric_limits<double>::quiet_NaN();
   bool brings_eta0 = false;   ///< eta0 follows from the fluid, the law, or kinematic viscosities
   bool brings_alpha = false;  ///< alpha follows from the fluid, the law, or alpha*
   std::string viscosity{};    ///< name of the law as in the deck; empty: refused
   std::string density{};
-  double eta0 = silent;            ///< [Pa s]
-  double alpha = silent;           ///< alpha of the dimensionless groups [1/Pa]: as given, or alpha* of the law
-  double roelands_alpha = silent;  ///< slope of Roelands' law at ambient pressure [1/Pa]
-  double p0 = silent;              ///< of Roelands' law [Pa]
-  double z = silent;               ///< of Roelands' law
+  double eta0 = core::unknown;            ///< [Pa s]
+  double alpha = core::unknown;           ///< alpha of the dimensionless groups [1/Pa]: as given, or alpha* of the law
+  double roelands_alpha = core::unknown;  ///< slope of Roelands' law at ambient pressure [1/Pa]
+  double p0 = core::unknown;              ///< of Roelands' law [Pa]
+  double z = core::unknown;               ///< of Roelands' law
   std::optional<AmbientOil> ambient{};
   Liquid liquid{};
 };

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/constants.hpp"
+
 namespace ehl::rheology {
 namespace {
 
@@ -48,7 +50,7 @@ double integral_of_fluidity(const ViscosityLaw& law, double scale, double end) {
 template <class Function>
 double root(Function f, double low, double high) {
   const double at_low = f(low), at_high = f(high);
-  if (!(at_low <= 0.0 && at_high >= 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(at_low <= 0.0 && at_high >= 0.0)) return core::unknown;
   std::uintmax_t steps = 200;  // safeguard; about 10 are needed
   const auto found = boost::math::tools::toms748_solve(
       f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 4),
@@ -70,7 +72,7 @@ PressureCoefficients pressure_coefficients(const ViscosityLaw& law) {
 double roelands_z_of(double alpha_star, double p0, double eta0) {
   constexpr double pascal = 1.0;
   const double log_ratio = roelands_log_ratio(eta0);
-  if (!(log_ratio > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(log_ratio > 0.0)) return core::unknown;
   const auto miss = [&](double z) {
     return pressure_coefficients(make_roelands(z * log_ratio / p0, p0, z, pascal)).alpha_star / alpha_star - 1.0;
   };

@@ -1,7 +1,7 @@
 #pragma once
 // Pressure ranges of the viscosity and density laws.
-#include <limits>
 
+#include "core/constants.hpp"
 #include "core/warning.hpp"
 #include "rheology/laws.hpp"
 
@@ -9,9 +9,9 @@ namespace ehl::rheology {
 
 /// Highest pressure of a solution and its scales; NaN: not known.
 struct Loading {
-  double P_max = 0.0;                                      ///< p/p_h
-  double p_h = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
-  double eta0 = std::numeric_limits<double>::quiet_NaN();  ///< [Pa s]
+  double P_max = 0.0;           ///< p/p_h
+  double p_h = core::unknown;   ///< [Pa]
+  double eta0 = core::unknown;  ///< [Pa s]
 };
 
 /// Viscosity of a glass by convention [Pa s]; such an oil carries shear like a solid.

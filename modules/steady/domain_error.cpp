@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "steady/multigrid_solve.hpp"
 #include "steady/resolution.hpp"
@@ -19,7 +19,7 @@ double central_film(const Scene& scene) {
   only_film.adjoint_errors = false;
   only_film.observer = {};
   const Solution solution = solve_by_multigrid(only_film, start, {});
-  return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
+  return solution.converged ? solution.levels.back().Hc : core::unknown;
 }
 
 /// The film of a line contact grows with this power of alpha (Grubin 1949). A pressure that is missing at the inlet
@@ -187,7 +187,7 @@ double estimate_domain_error(const Scene& scene) {
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   longer.grid.nx *= 2;
   if (!contact::line(scene.contact.shape)) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0, longer.grid.ny *= 2;
-  double estimate = std::numeric_limits<double>::quiet_NaN();
+  double estimate = core::unknown;
   try {
     estimate = central_film(longer) / central_film(coarse) - 1.0;
   } catch (const core::SolverError&) {

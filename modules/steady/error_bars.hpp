@@ -1,7 +1,8 @@
 #pragma once
 // Estimated errors of the results, split into their parts.
-#include <limits>
 #include <vector>
+
+#include "core/constants.hpp"
 
 namespace ehl::steady {
 
@@ -10,26 +11,26 @@ struct Solution;
 
 /// Parts of a relative error, each an estimate; NaN if unknown.
 struct ErrorBar {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double discretization = unknown;  ///< of the mesh (error_estimate.hpp), from the grid sequence; rough with one grid
-  double algebraic = unknown;       ///< what further cycles would change (judgement/stopping.hpp)
+  /// The part of the mesh (error_estimate.hpp), from the grid sequence; rough with one grid.
+  double discretization = core::unknown;
+  double algebraic = core::unknown;  ///< what further cycles would change (judgement/stopping.hpp)
   /// The error on this domain: the sum of both.
   double total() const { return discretization + algebraic; }
 };
 
 /// A value with its relative error, the algebraic part included.
 struct Estimate {
-  double value = ErrorBar::unknown;
-  double error = ErrorBar::unknown;
+  double value = core::unknown;
+  double error = core::unknown;
 };
 
 struct ErrorBars {
   ErrorBar Hc{};
   ErrorBar Hm{};         ///< of the smallest nodal value: the error of Hm_fitted plus the difference of the two
   ErrorBar Hm_fitted{};  ///< of Hm_fitted_value
-  double Hm_fitted_value = ErrorBar::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and its place
-  double Hm_fitted_X = ErrorBar::unknown;
-  double Hm_fitted_Y = ErrorBar::unknown;
+  double Hm_fitted_value = core::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and its place
+  double Hm_fitted_X = core::unknown;
+  double Hm_fitted_Y = core::unknown;
   Estimate Hc_extrapolated{};  ///< extrapolated from the grid sequence to mesh size zero, on this domain
   Estimate Hm_extrapolated{};  ///< from Hm_fitted
   /// The best estimate, which is reported first: the extrapolated value or that of the finest grid (for Hm the fitted
@@ -40,10 +41,10 @@ struct ErrorBars {
   /// form it is the adjoint estimate of the boundary pressure (adjoint/errors.hpp), for a line contact a multiple of
   /// the rough estimate. Otherwise, for Hc, it is Solution::domain_error_Hc or the rough estimate, right within a
   /// factor of about 2 (domain_error.hpp). Not part of total().
-  double domain = ErrorBar::unknown;
+  double domain = core::unknown;
   /// Relative errors of the numbers of the scene's observer; NaN where the levels give no estimate.
   std::vector<double> observed{};
-  double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN if it does not converge
+  double P_max = core::unknown;  ///< relative error estimate of P_max; NaN if it does not converge
   /// True if the differences of P_max between the levels fall and no spike is about to exceed it. At a spike that no
   /// grid resolves they grow, and P_max depends on the mesh.
   bool P_max_converging = false;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.hpp"
 #include "judgement/error_estimate.hpp"
 #include "steady/scene.hpp"
 
 namespace ehl::steady {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double derivative(double least_difference, const std::vector<Pass>& passes, double Pass::*film) {
   constexpr double in_proportion = 1.0;
@@ -31,7 +29,7 @@ void judge_layers(const Scene& scene, const std::vector<double>& coarse, std::ve
   double error = 0.0;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     if (k >= coarse.size()) {
-      passes[k].supply_error = nan;
+      passes[k].supply_error = core::unknown;
       continue;
     }
     const double both[] = {coarse[k], passes[k].supply};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "judgement/error_estimate.hpp"
 #include "steady/scene.hpp"
 
@@ -23,7 +24,7 @@ double error_of(const Scene& scene, const std::vector<double>& values, bool spik
   const Tuning& tuning = scene.tuning;
   const judgement::Tuning& judged = scene.solver.judgement;
   if (std::ranges::all_of(values, [](double value) { return value == 0.0; })) return 0.0;
-  if (grows(tuning, values)) return ErrorBar::unknown;
+  if (grows(tuning, values)) return core::unknown;
   if (values.size() < 3)
     return judgement::estimate_error(judged, values,
                                      spike_unresolved ? tuning.slowest_order_of_observed : tuning.order_of_two_levels,

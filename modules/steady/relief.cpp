@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "steady/scene.hpp"
 
@@ -34,7 +35,7 @@ void leave_open_on_relief(const Scene& scene, ErrorBars& bars) {
   const double lost = relief_lost(scene);
   if (!(lost > scene.tuning.relief_lost)) return;
   bars.relief_unresolved = lost;
-  bars.P_max = ErrorBar::unknown;
+  bars.P_max = core::unknown;
   bars.P_max_converging = false;
 }
 

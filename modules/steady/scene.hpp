@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "film/model.hpp"
@@ -29,9 +30,9 @@ struct ContinuationParameters {
     off,        ///< never
   };
   Path path = Path::automatic;
-  double load_ratio = std::numeric_limits<double>::quiet_NaN();  ///< first load over the scene's; NaN: chosen
-  double step = 2.0;                                             ///< factor between the first two loads; > 1
-  int max_steps = 60;                                            ///< rejected ones included
+  double load_ratio = core::unknown;  ///< first load over the scene's; NaN: chosen
+  double step = 2.0;                  ///< factor between the first two loads; > 1
+  int max_steps = 60;                 ///< rejected ones included
 };
 
 /// When Newton's method is used on the finest grid.
@@ -43,11 +44,11 @@ enum class Polish {
 
 /// A required accuracy instead of a grid (accuracy.hpp).
 struct AccuracyTarget {
-  double error = std::numeric_limits<double>::quiet_NaN();           ///< relative, of Hc and Hm; NaN: the grid is given
-  bool domain_is_free = false;                                       ///< the domain may grow
-  int most_cells = 8192;                                             ///< along x
-  double most_nodes = std::numeric_limits<double>::infinity();       ///< limit by the memory
-  double bytes_per_node = std::numeric_limits<double>::quiet_NaN();  ///< of a run, estimated; NaN: unknown
+  double error = core::unknown;                                 ///< relative, of Hc and Hm; NaN: the grid is given
+  bool domain_is_free = false;                                  ///< the domain may grow
+  int most_cells = 8192;                                        ///< along x
+  double most_nodes = std::numeric_limits<double>::infinity();  ///< limit by the memory
+  double bytes_per_node = core::unknown;                        ///< of a run, estimated; NaN: unknown
 };
 
 /// Several contacts one after another on the same track (passes.hpp): what a surface brings to the next one.

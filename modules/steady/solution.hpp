@@ -1,11 +1,11 @@
 #pragma once
 // The results of a steady computation.
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "adjoint/errors.hpp"
+#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
@@ -35,17 +35,17 @@ struct Attempt {
 /// One step of a load continuation, the rejected ones included.
 struct ContinuationStep {
   double M = 0.0;
-  double load_ratio = 1.0;                               ///< over the load of the scene
-  double Hc = std::numeric_limits<double>::quiet_NaN();  ///< NaN: its first cycle diverged
-  double Hm = std::numeric_limits<double>::quiet_NaN();
-  double residual = std::numeric_limits<double>::quiet_NaN();
+  double load_ratio = 1.0;    ///< over the load of the scene
+  double Hc = core::unknown;  ///< NaN: its first cycle diverged
+  double Hm = core::unknown;
+  double residual = core::unknown;
   int cycles = 0;
   bool converged = false;
 };
 
 /// The outcome of a required accuracy.
 struct AccuracyReport {
-  double asked = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none
+  double asked = core::unknown;  ///< NaN: none
   bool met = false;
   bool by_extrapolation = false;  ///< met by the extrapolated values, not by the nodal ones
   std::string stopped_by;         ///< the limit that prevented it; empty if met
@@ -83,9 +83,9 @@ struct Solution {
   std::string polish_failure;        ///< why the Newton refinement did not reach rounding errors
   /// Convergence factor: geometric mean, over all cycles on the finest grid but the first, of the residual after a
   /// cycle over that before it; NaN with fewer than two cycles.
-  double cycle_factor = std::numeric_limits<double>::quiet_NaN();
+  double cycle_factor = core::unknown;
   /// Relative growth of Hc on a domain twice as large; NaN if a rough bound showed that it does not matter.
-  double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
+  double domain_error_Hc = core::unknown;
   Verification verification;               ///< of the final state
   std::optional<adjoint::Errors> adjoint;  ///< of the final state, if requested and found
   ErrorBars error_bars;                    ///< of the final state

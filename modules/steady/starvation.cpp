@@ -1,8 +1,8 @@
 #include "steady/starvation.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "core/constants.hpp"
 #include "judgement/measures.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -30,12 +30,11 @@ Starvation starvation_of(const Scene& scene, const Solution& starved, const Solu
   const core::Grid& grid = starved.grid;
   Starvation result;
   // Ratios to a flooded contact that did not converge are unknown.
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double carried = flooded.converged ? carried_at_centre(scene, flooded) : unknown;
+  const double carried = flooded.converged ? carried_at_centre(scene, flooded) : core::unknown;
   result.supply_ratio = (starved.passes.empty() ? scene.supply(0.0) : starved.passes.back().supply) / carried;
   result.factor = carried_at_centre(scene, starved) / carried;
-  result.Hc_flooded = flooded.converged ? flooded.levels.back().Hc : unknown;
-  result.Hm_flooded = flooded.converged ? flooded.levels.back().Hm : unknown;
+  result.Hc_flooded = flooded.converged ? flooded.levels.back().Hc : core::unknown;
+  result.Hm_flooded = flooded.converged ? flooded.levels.back().Hm : core::unknown;
   result.flooded_converged = flooded.converged;
   result.line = grid.line;
   result.meniscus_X = meniscus_on(starved, grid.ny / 2);

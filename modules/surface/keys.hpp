@@ -1,9 +1,9 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 #include "surface/feature.hpp"
 
@@ -27,7 +27,7 @@ struct Input {
   std::optional<Feature> feature{};  ///< without its position
   std::optional<MapInput> map{};
   bool at_rest = false;
-  double X = std::numeric_limits<double>::quiet_NaN();  ///< of the centre at T = 0; NaN: not given
+  double X = core::unknown;  ///< of the centre at T = 0; NaN: not given
   double Y = 0.0;
 };
 

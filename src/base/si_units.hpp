@@ -1,17 +1,18 @@
 #pragma once
 // The units that a report uses if the contact is given in SI.
-#include <limits>
 #include <string>
+
+#include "core/constants.hpp"
 
 namespace ehl::program {
 
 /// The scales of the dimensionless numbers; NaN if a scale is not known.
 struct SiScales {
-  double a = std::numeric_limits<double>::quiet_NaN();     ///< Hertz radius [m]
-  double h = std::numeric_limits<double>::quiet_NaN();     ///< a^2/R [m]
-  double p_h = std::numeric_limits<double>::quiet_NaN();   ///< Hertz pressure [Pa]
-  double time = std::numeric_limits<double>::quiet_NaN();  ///< a/u_m [s]
-  double load = std::numeric_limits<double>::quiet_NaN();  ///< F_0 [N], or F_0' of a line contact [N/m]
+  double a = core::unknown;     ///< Hertz radius [m]
+  double h = core::unknown;     ///< a^2/R [m]
+  double p_h = core::unknown;   ///< Hertz pressure [Pa]
+  double time = core::unknown;  ///< a/u_m [s]
+  double load = core::unknown;  ///< F_0 [N], or F_0' of a line contact [N/m]
 };
 
 struct SiUnit {

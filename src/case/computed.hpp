@@ -1,6 +1,5 @@
 #pragma once
 // The results of a run.
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,9 +70,9 @@ struct DerivedFields {
 
 /// The solution with heat, or with an oil that thins by the pressure flow, and numbers of the solution without it.
 struct HeatResult {
-  heat::Solution found{};  ///< the solution except its film, which is that of the contact
-  double mu = 0.0;         ///< sliding friction divided by the load
-  double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< estimated relative error of mu
+  heat::Solution found{};                ///< the solution except its film, which is that of the contact
+  double mu = 0.0;                       ///< sliding friction divided by the load
+  double error_mu = core::unknown;       ///< estimated relative error of mu
   double mu_isothermal = core::unknown;  ///< NaN as the others if the film was found from that of the previous pass
   bool unlikely = false, unlikely_isothermal = false;  ///< stress too high for an oil (friction::unlikely)
   core::Warnings friction_warnings{};                  ///< warnings about mu

@@ -1,10 +1,10 @@
 #include "case/dry_case.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "dry/keys.hpp"
 
 namespace ehl::program {
@@ -65,7 +65,7 @@ void refuse_film(deck::Deck& deck) {
                         : "has no influence with [case] kind = dry: remove it",
                radii || scales ? deck::Cause::between : deck::Cause::idle);
     } else {
-      deck.values[k] = {.origin = deck::Origin::absent, .number = std::numeric_limits<double>::quiet_NaN()};
+      deck.values[k] = {.origin = deck::Origin::absent, .number = core::unknown};
     }
   }
 }

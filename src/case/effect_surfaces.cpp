@@ -1,12 +1,12 @@
 // The effect `surfaces`: features, waviness and measured heights on the surfaces.
 #include <fmt/core.h>
 
-#include <limits>
 #include <numbers>
 
 #include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/surface_input.hpp"
+#include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "surface/keys.hpp"
 
@@ -117,8 +117,7 @@ Effect surfaces_effect() {
       .seconds =
           [](const Computed& computed) {
             // At rest the surfaces are part of the steady contact and are evaluated once per level.
-            return computed.in_time ? computed.in_time->report.seconds_of_surfaces
-                                    : std::numeric_limits<double>::quiet_NaN();
+            return computed.in_time ? computed.in_time->report.seconds_of_surfaces : core::unknown;
           },
       .example = {"surface1.shape=dimple", "surface1.height=0.05", "surface1.width=0.5", "surface1.x=-0.5"},
       .upon = "transient"};

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 
+#include "core/constants.hpp"
 #include "deck/commas.hpp"
 #include "deck/text.hpp"
 
@@ -13,7 +13,6 @@ namespace ehl::program {
 namespace {
 
 using deck::ReadNumber;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -101,7 +100,7 @@ namespace {
 
 // The number in a cell; NaN if it marks a missing point. out: wrong: the cell, if it is neither.
 double height_of(const std::string& cell, const Writing& writing, std::string& wrong) {
-  if (cell.empty() || says_missing(cell)) return unknown;
+  if (cell.empty() || says_missing(cell)) return core::unknown;
   std::string number = cell;
   if (writing.decimal_comma) std::ranges::replace(number, ',', '.');
   const ReadNumber read = deck::read_number(number);
@@ -186,12 +185,12 @@ double metres_of(const std::string& unit) {
   const std::string word = deck::trimmed(unit);
   for (const Unit& one : units)
     if (word == one.name) return one.metres;
-  return unknown;
+  return core::unknown;
 }
 
 double length_of(const std::string& text) {
   const ReadNumber read = deck::read_number(text);
-  if (read.status != ReadNumber::Status::trailing_text) return unknown;
+  if (read.status != ReadNumber::Status::trailing_text) return core::unknown;
   const std::size_t at = text.rfind(read.trailing);
   const ReadNumber number = deck::read_number(deck::trimmed(text.substr(0, at)));
   return number.value * metres_of(read.trailing);

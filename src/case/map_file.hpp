@@ -1,20 +1,20 @@
 #pragma once
 // Reads a file of measured heights. Rows have constant y; the first has the smallest y.
-#include <limits>
 #include <string>
 #include <variant>
 
+#include "core/constants.hpp"
 #include "surface/height_map.hpp"
 
 namespace ehl::program {
 
 /// The heights of a file, and the units and distances that its heading states.
 struct MapInFile {
-  surface::Heights heights{};                                ///< missing points have been filled
-  int filled = 0;                                            ///< number of missing points that were filled
-  double unit_m = std::numeric_limits<double>::quiet_NaN();  ///< height of the number 1, in metres; NaN: not stated
-  double dx_m = std::numeric_limits<double>::quiet_NaN();    ///< distance between points along x; NaN: not stated
-  double dy_m = std::numeric_limits<double>::quiet_NaN();    ///< distance between points along y; NaN: not stated
+  surface::Heights heights{};     ///< missing points have been filled
+  int filled = 0;                 ///< number of missing points that were filled
+  double unit_m = core::unknown;  ///< height of the number 1, in metres; NaN: not stated
+  double dx_m = core::unknown;    ///< distance between points along x; NaN: not stated
+  double dy_m = core::unknown;    ///< distance between points along y; NaN: not stated
 };
 
 /// The heights, or an error message: "map.csv:12: ...", "map.h5: height: row 3, ...".

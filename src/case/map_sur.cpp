@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "case/map_cells.hpp"
+#include "core/constants.hpp"
 #include "deck/text.hpp"
 
 namespace ehl::program {
@@ -116,8 +116,7 @@ ReadHeights read_map_sur(const std::string& bytes, const std::string& name) {
   for (std::size_t n = 0; n < points; ++n) {
     const std::size_t at = begin + n * width;
     const std::int64_t z = width == 2 ? header.integer16(at) : header.integer32(at);
-    map.heights.values[n] =
-        some_missing && z == missing ? std::numeric_limits<double>::quiet_NaN() : step * static_cast<double>(z);
+    map.heights.values[n] = some_missing && z == missing ? core::unknown : step * static_cast<double>(z);
   }
   return map;
 }

@@ -1,12 +1,12 @@
 #pragma once
 // Converts the contact, motion and lubricant of the deck to dimensionless groups, fluid laws and scales.
-#include <limits>
 #include <optional>
 
 #include "base/si_units.hpp"
 #include "contact/groups.hpp"
 #include "contact/hertz.hpp"
 #include "contact/keys.hpp"
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/laws.hpp"
@@ -21,8 +21,8 @@ struct SiInput {
   contact::Hertz hertz{};
   double u1 = 0.0;  ///< [m/s]
   double u2 = 0.0;
-  double Sq1 = std::numeric_limits<double>::quiet_NaN();  ///< roughness that the deck states [m]; NaN: none
-  double Sq2 = std::numeric_limits<double>::quiet_NaN();
+  double Sq1 = core::unknown;  ///< roughness that the deck states [m]; NaN: none
+  double Sq2 = core::unknown;
   double E_prime_uncoated = 0.0;            ///< of the bodies without their coatings [Pa]
   std::vector<kernel::Coating> coatings{};  ///< thickness in m
 };
@@ -37,9 +37,9 @@ struct Physics {
   Language language = Language::none;
   contact::Groups groups{};
   std::optional<SiInput> si{};
-  double p_h = std::numeric_limits<double>::quiet_NaN();       ///< Hertz pressure [Pa]; NaN if only M and L are known
-  double srr = 0.0;                                            ///< (u1 - u2)/u_m
-  double a_over_R = std::numeric_limits<double>::quiet_NaN();  ///< NaN if only M and L are known
+  double p_h = core::unknown;       ///< Hertz pressure [Pa]; NaN if only M and L are known
+  double srr = 0.0;                 ///< (u1 - u2)/u_m
+  double a_over_R = core::unknown;  ///< NaN if only M and L are known
   rheology::ViscosityLaw viscosity{};
   rheology::DensityLaw density{};
   std::optional<rheology::AmbientOil> ambient{};  ///< set for an oil given by its viscosities at two temperatures

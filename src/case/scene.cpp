@@ -14,6 +14,7 @@
 #include "case/roller_input.hpp"
 #include "case/supply_input.hpp"
 #include "case/touching.hpp"
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "effects/roller/slices.hpp"
@@ -37,7 +38,7 @@ constexpr int most_cycles_where_they_touch = 6;
 // The unit of a load for a contact in SI.
 deck::PlainUnit newton_of(const Physics& physics) {
   const bool known = physics.language == Language::si || physics.language == Language::none;
-  return {.in_SI = physics.si ? physics.si->contact.load : std::numeric_limits<double>::quiet_NaN(), .known = known};
+  return {.in_SI = physics.si ? physics.si->contact.load : core::unknown, .known = known};
 }
 
 void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {

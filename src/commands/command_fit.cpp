@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/exit_status.hpp"
 #include "base/progress.hpp"
@@ -11,6 +10,7 @@
 #include "base/text_format.hpp"
 #include "case/catalogue.hpp"
 #include "commands/commands.hpp"
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
@@ -58,8 +58,7 @@ std::string solved_mu(const Task& task, const std::vector<double>& parameters, d
 std::vector<std::vector<double>> friction_of_all(const Task& task, const std::vector<std::vector<double>>& sets,
                                                  int round, std::string& reason) {
   const std::size_t points = task.points.size();
-  std::vector<std::vector<double>> mu(sets.size(),
-                                      std::vector<double>(points, std::numeric_limits<double>::quiet_NaN()));
+  std::vector<std::vector<double>> mu(sets.size(), std::vector<double>(points, core::unknown));
   std::vector<std::size_t> tasks(points * sets.size());
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(task.quiet);

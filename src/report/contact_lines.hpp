@@ -1,11 +1,11 @@
 #pragma once
 // The printed lines about the contact itself: its scales, its groups, and the published film formulas.
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "case/computed.hpp"
 #include "case/scene.hpp"
+#include "core/constants.hpp"
 
 namespace ehl::program {
 
@@ -18,9 +18,8 @@ std::string group_lines(const Physics& physics);
 
 /// One line per formula, in nm first if the contact is in SI, with its deviation from the computed film.
 /// in: the computed film Hc and Hm; NaN before there is one.
-std::string formula_lines(const std::vector<Formula>& formulas, const Physics& physics,
-                          double Hc = std::numeric_limits<double>::quiet_NaN(),
-                          double Hm = std::numeric_limits<double>::quiet_NaN());
+std::string formula_lines(const std::vector<Formula>& formulas, const Physics& physics, double Hc = core::unknown,
+                          double Hm = core::unknown);
 
 /// The meaning of the film formulas if the bodies are coated.
 constexpr char formulas_if_coated[] =

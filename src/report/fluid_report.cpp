@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 
+#include "core/constants.hpp"
 #include "report/report.hpp"
 #include "rheology/pressure_coefficient.hpp"
 
@@ -42,8 +42,7 @@ std::string fluid_text(const Physics& physics) {
 }
 
 FilmCoefficients film_coefficients(const Physics& physics) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  FilmCoefficients found{unknown, unknown, unknown, unknown};
+  FilmCoefficients found{core::unknown, core::unknown, core::unknown, core::unknown};
   const double alpha_bar = physics.groups.alpha_bar;
   if (alpha_bar == 0.0) found.L_star = found.L_film = 0.0;
   if (!(alpha_bar > 0.0)) return found;

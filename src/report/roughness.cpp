@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/text_format.hpp"
 #include "case/numbers/number.hpp"
 #include "case/touching.hpp"
+#include "core/constants.hpp"
 #include "report/film_fit.hpp"
 #include "report/outcome.hpp"
 
@@ -36,7 +36,7 @@ double stated(double Sq, const SiInput& si) { return std::isnan(Sq) ? 0.0 : Sq /
 }  // namespace
 
 std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formula>& formulas, double Hm) {
-  Roughness rough{.Hm = std::numeric_limits<double>::quiet_NaN()};
+  Roughness rough{.Hm = core::unknown};
   if (input.physics.si)
     rough.Sq =
         std::hypot(stated(input.physics.si->Sq1, *input.physics.si), stated(input.physics.si->Sq2, *input.physics.si));

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "core/constants.hpp"
+
 namespace ehl::program {
 namespace {
 
@@ -76,7 +78,7 @@ bool has_film(const StudyPoint& point) { return is_complete(point) || point.stat
 std::vector<double> errors_in_time(const StudyPoint& reference, const StudyPoint& point) {
   const std::size_t times = std::min(reference.samples.size(), point.samples.size());
   const std::size_t quantities = reference.samples.empty() ? 0 : reference.samples[0].values.size();
-  std::vector<double> errors(quantities, StudyPoint::unknown);
+  std::vector<double> errors(quantities, core::unknown);
   if (!is_complete(reference) || !is_complete(point) || times == 0) return errors;
   for (std::size_t k = 0; k < quantities; ++k) {
     double largest = 0.0, scale = 0.0;
@@ -87,7 +89,7 @@ std::vector<double> errors_in_time(const StudyPoint& reference, const StudyPoint
       scale = std::max(scale, std::abs(truth));
     }
     if (k < relative_at_every_time) scale = 1.0;
-    errors[k] = largest == 0.0 ? 0.0 : scale > 0.0 ? largest / scale : StudyPoint::unknown;
+    errors[k] = largest == 0.0 ? 0.0 : scale > 0.0 ? largest / scale : core::unknown;
   }
   return errors;
 }

@@ -1,10 +1,10 @@
 #pragma once
 // Judges the rows of a study: deviations from a reference, and the Pareto front.
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "tables/study_point.hpp"
 #include "transient/march.hpp"
 
@@ -12,8 +12,8 @@ namespace ehl::program {
 
 /// An extrapolated value and its estimated error, relative to the value.
 struct Extrapolated {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();
+  double value = core::unknown;
+  double error = core::unknown;
 };
 
 /// Richardson extrapolation of second-order values, each on a grid with half the mesh size of the one before:

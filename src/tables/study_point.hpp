@@ -1,12 +1,12 @@
 #pragma once
 // One method of solving the case, with its measured cost and its error against the reference: a row of a study.
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/column.hpp"
 #include "base/si_units.hpp"
+#include "core/constants.hpp"
 #include "tables/study_plan.hpp"
 
 namespace ehl::program {
@@ -22,36 +22,35 @@ constexpr std::size_t of_Hc = 0, of_Hm = 1;
 
 /// One quantity of a row, judged against the reference.
 struct Judged {
-  double deviation = std::numeric_limits<double>::quiet_NaN();  ///< relative; in time the largest over the run
-  bool at_reference = false;                                    ///< the deviation is below the error of the reference
-  bool front = false;                                           ///< on the Pareto front of deviation and seconds
+  double deviation = core::unknown;  ///< relative; in time the largest over the run
+  bool at_reference = false;         ///< the deviation is below the error of the reference
+  bool front = false;                ///< on the Pareto front of deviation and seconds
 };
 
 /// A value that is not known is NaN.
 struct StudyPoint {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   StudyCase variant{};
   /// converged, or complete for a run in time; stopped (the fixed number of cycles is done, but not all checks pass);
   /// not-converged, not-complete (the run ended early, or its steady start was not found); failed (an error of the
   /// program).
   std::string status{};
-  double seconds = unknown;       ///< the least time of the repetitions; of a run in time without its steady start
-  double seconds_most = unknown;  ///< the greatest time of the repetitions
-  double peak_memory = unknown;   ///< [bytes]
+  double seconds = core::unknown;  ///< the least time of the repetitions; of a run in time without its steady start
+  double seconds_most = core::unknown;  ///< the greatest time of the repetitions
+  double peak_memory = core::unknown;   ///< [bytes]
   std::string reason{};
 
   int nx = 0;  ///< number of cells along x
   int ny = 0;
-  double Hc = unknown;
-  double Hm = unknown;
-  double estimate_Hc = unknown;  ///< the relative discretization error that the run itself estimates
-  double estimate_Hm = unknown;
-  double residual = unknown;
+  double Hc = core::unknown;
+  double Hm = core::unknown;
+  double estimate_Hc = core::unknown;  ///< the relative discretization error that the run itself estimates
+  double estimate_Hm = core::unknown;
+  double residual = core::unknown;
   std::string cycles_by_level{};  ///< "6;2;2": cycles from the coarsest grid to the finest
   int attempts = 0;
-  double work_units = unknown;  ///< work of the whole solution, in relaxations of the finest grid
+  double work_units = core::unknown;  ///< work of the whole solution, in relaxations of the finest grid
 
-  double T = unknown;  ///< the time that a run in time reached
+  double T = core::unknown;  ///< the time that a run in time reached
   int steps = 0, cycles = 0, rejected = 0, not_solved = 0, jumps = 0;
   std::vector<TimeSample> samples{};
 

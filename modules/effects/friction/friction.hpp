@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
@@ -36,13 +37,13 @@ struct Parameters {
   double stress = 0.0;  ///< eta_0 (u1 - u2) R/(a^2 p_h): tau_m/p_h where H = 1 and eta_bar = 1; signed
   double slope = 0.0;   ///< a/R
   /// k of the scene's shear thinning at the time of `stress`; NaN: that of the scene.
-  double thinning_k = std::numeric_limits<double>::quiet_NaN();
+  double thinning_k = core::unknown;
   Cavitated cavitated = Cavitated::striated;
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda: limiting shear stress over pressure
   bool keep_tau1 = false, keep_tau2 = false;
   bool oblique = false;  ///< not symmetric in Y, so that a side force exists
   /// Rolling friction of X < outer_X is reported separately: the outer half of a flooded inlet. NaN: not reported.
-  double outer_X = std::numeric_limits<double>::quiet_NaN();
+  double outer_X = core::unknown;
   /// Oil fills the gap up to the undeformed gap at X = -meniscus; infinite: everywhere.
   double meniscus = std::numeric_limits<double>::infinity();
 };
@@ -61,7 +62,7 @@ struct Film {
   const core::Field* less_tau = nullptr;  ///< factor on tau_m from shear thinning by the pressure flow; null: 1
   /// Load of the contact inside and outside the domain, in p_h a^2 (line contact: p_h a). NaN: the integral of P on the
   /// domain.
-  double load = std::numeric_limits<double>::quiet_NaN();
+  double load = core::unknown;
   core::QuadraticForm gap{0.5, 0.0, 0.5};  ///< of the undeformed bodies; gives the contour of the meniscus
   double lambda = 0.0;                     ///< of a line contact with `outside`
   const Outside* outside = nullptr;        ///< null: no oil there
@@ -78,18 +79,17 @@ struct Friction {
   double rolling = 0.0;         ///< integral of (h/2) dp/dx; opposes the motion of both surfaces
   double on_1 = 0.0;            ///< force on surface 1 along +x: -(sliding + rolling)
   double on_2 = 0.0;            ///< on surface 2: sliding - rolling
-  double side = std::numeric_limits<double>::quiet_NaN();  ///< force on each surface along +y; NaN if the contact is
-                                                           ///< symmetric in Y
-  double cavitated = 0.0;                                  ///< part of `sliding` where P = 0
-  double beyond = 0.0;                                     ///< part of `sliding` outside the domain
-  double rolling_beyond = 0.0;                             ///< part of `rolling` outside the domain
-  double outer = 0.0;                                      ///< part of `rolling` at X < outer_X
-  double largest_stress = 0.0;                             ///< largest |tau_m| where P > 0, in p_h
+  double side = core::unknown;  ///< force on each surface along +y; NaN if the contact is symmetric in Y
+  double cavitated = 0.0;       ///< part of `sliding` where P = 0
+  double beyond = 0.0;          ///< part of `sliding` outside the domain
+  double rolling_beyond = 0.0;  ///< part of `rolling` outside the domain
+  double outer = 0.0;           ///< part of `rolling` at X < outer_X
+  double largest_stress = 0.0;  ///< largest |tau_m| where P > 0, in p_h
   double limited_share = 0.0;   ///< share of the load where the limiting stress acts, on the domain
   double unlikely_share = 0.0;  ///< share of the load where |tau_m| > largest_limit P, on the domain
   /// Estimated relative errors of `sliding` and `rolling`, from the solutions on coarser grids; NaN if unknown.
-  double error_sliding = std::numeric_limits<double>::quiet_NaN();
-  double error_rolling = std::numeric_limits<double>::quiet_NaN();
+  double error_sliding = core::unknown;
+  double error_rolling = core::unknown;
   core::Field tau1{}, tau2{};  ///< surface stresses in p_h; empty unless kept
   double seconds = 0.0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "effects/roller/scene.hpp"
@@ -71,7 +72,7 @@ Analysis analyse(steady::Scene scene, const steady::Solution& solution, bool tra
   scene.accuracy = {};
   // A contact that touches is given up: its dry contact would take as long as the film.
   if (!solution.converged && !scene.one_start_only.empty())
-    result.dry.middle.P_max = result.dry.lower.P = result.dry.upper.P = std::numeric_limits<double>::quiet_NaN();
+    result.dry.middle.P_max = result.dry.lower.P = result.dry.upper.P = core::unknown;
   else
     result.dry = dry_distribution(scene, solution.converged);
   // Without a solution of the contact, a coarser grid has nothing to compare with.

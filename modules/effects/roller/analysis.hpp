@@ -1,8 +1,8 @@
 #pragma once
 // What is computed of a solved roller: its distributions with and without oil, and on half as many cells.
-#include <limits>
 #include <optional>
 
+#include "core/constants.hpp"
 #include "effects/roller/distribution.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/scene.hpp"
@@ -12,7 +12,7 @@ namespace ehl::roller {
 
 /// Largest von Mises stress at the nodes of the middle half of the length, and near the ends; NaN: not computed.
 struct Stresses {
-  double middle = std::numeric_limits<double>::quiet_NaN(), end = middle;
+  double middle = core::unknown, end = middle;
 };
 
 /// The load distribution of a roller: with oil, with oil on a grid of half as many cells, and without oil.

@@ -1,9 +1,9 @@
 #pragma once
 // Keys of [roller].
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 #include "effects/roller/profile.hpp"
 
@@ -11,11 +11,11 @@ namespace ehl::roller {
 
 /// Scales of the contact, most of them in SI; NaN: not known.
 struct Scales {
-  double length = std::numeric_limits<double>::quiet_NaN();  ///< of the roller, in a
-  double a = std::numeric_limits<double>::quiet_NaN();       ///< [m], of X and Y
-  double radius = std::numeric_limits<double>::quiet_NaN();  ///< R_x [m]
-  double load = std::numeric_limits<double>::quiet_NaN();    ///< [N]
-  double a_over_R = std::numeric_limits<double>::quiet_NaN();
+  double length = core::unknown;  ///< of the roller, in a
+  double a = core::unknown;       ///< [m], of X and Y
+  double radius = core::unknown;  ///< R_x [m]
+  double load = core::unknown;    ///< [N]
+  double a_over_R = core::unknown;
   bool in_SI = false;
 };
 

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "core/constants.hpp"
 
 namespace ehl::starvation {
 
@@ -16,13 +17,13 @@ double by_passes(double r, double gamma, int passes) {
 double gamma_of(double r, double factor) {
   constexpr double nothing = 0.01;  // closer to r or 1, gamma is ill-conditioned [bench: starvation_gamma_margin]
   constexpr double least = 0.5, most = 30.0;
-  if (!(factor < (1.0 - nothing) * std::fmin(r, 1.0))) return std::numeric_limits<double>::quiet_NaN();
+  if (!(factor < (1.0 - nothing) * std::fmin(r, 1.0))) return core::unknown;
   double below = least, above = most;  // by_supply() increases with gamma
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (below + above);
     (by_supply(r, middle) < factor ? below : above) = middle;
   }
-  return below > least ? below : std::numeric_limits<double>::quiet_NaN();
+  return below > least ? below : core::unknown;
 }
 
 double flooded_inlet(double Hc_flooded) { return 1.0 + 3.06 * std::pow(Hc_flooded, 0.58); }
@@ -34,7 +35,7 @@ double by_meniscus(double m, double Hc_flooded) {
 
 double lost_by_pass(const contact::Ellipse& shape, double lambda, const rheology::ViscosityLaw& viscosity,
                     const rheology::DensityLaw& density) {
-  if (!contact::circular(shape) && shape.angle != 0.0) return std::numeric_limits<double>::quiet_NaN();
+  if (!contact::circular(shape) && shape.angle != 0.0) return core::unknown;
   // The trapezoidal rule converges fast here, because the integrand is even and smooth about both ends.
   constexpr std::size_t intervals = 400;
   constexpr double step = std::numbers::pi / intervals;

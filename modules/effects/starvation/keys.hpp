@@ -1,20 +1,20 @@
 #pragma once
 // Keys of [supply].
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "deck/deck.hpp"
 
 namespace ehl::starvation {
 
 /// Scales of the contact in SI; NaN: not known.
 struct Scales {
-  double a = std::numeric_limits<double>::quiet_NaN();       ///< [m], of X and Y
-  double height = std::numeric_limits<double>::quiet_NaN();  ///< a^2/R [m], of H
-  double u1 = std::numeric_limits<double>::quiet_NaN();      ///< [m/s]
-  double u2 = std::numeric_limits<double>::quiet_NaN();      ///< [m/s]
-  double width = std::numeric_limits<double>::quiet_NaN();   ///< of the domain, in a
+  double a = core::unknown;       ///< [m], of X and Y
+  double height = core::unknown;  ///< a^2/R [m], of H
+  double u1 = core::unknown;      ///< [m/s]
+  double u2 = core::unknown;      ///< [m/s]
+  double width = core::unknown;   ///< of the domain, in a
   bool in_SI = false;
   bool line = false;   ///< the contact is a line contact
   bool point = false;  ///< the contact is finite along y; if neither is true the deck is wrong
@@ -22,11 +22,11 @@ struct Scales {
 
 /// The supply of a deck: either H_oil or a profile; and repeated overrolling.
 struct Input {
-  double H_oil = std::numeric_limits<double>::quiet_NaN();  ///< everywhere; NaN: see `profile`
-  std::string profile{};                                    ///< name of a file, as in the deck
+  double H_oil = core::unknown;  ///< everywhere; NaN: see `profile`
+  std::string profile{};         ///< name of a file, as in the deck
   /// Layers on each surface if given separately, over H_oil.
-  double layer1 = std::numeric_limits<double>::quiet_NaN();
-  double layer2 = std::numeric_limits<double>::quiet_NaN();
+  double layer1 = core::unknown;
+  double layer2 = core::unknown;
   bool is_flow = false;
   int passes = 1;
   double returning = 1.0;  ///< share of the outflow that returns to the inlet
