@@ -4,10 +4,12 @@
 #include <array>
 #include <string>
 
+#include "core/constants.hpp"
+
 namespace ehl::deck {
 namespace {
 
-constexpr double inch = 0.0254, pound_force = 4.4482216152605, pi = 3.14159265358979323846;
+constexpr double inch = 0.0254, pound_force = 4.4482216152605;
 
 constexpr Unit known[] = {
     {"Pa", "Pa"},
@@ -71,7 +73,7 @@ constexpr Unit known[] = {
     {"rpm", "1/min"},
     {"degrees", "degrees"},
     {"deg", "degrees"},
-    {"rad", "degrees", 180.0 / pi},
+    {"rad", "degrees", 180.0 / core::pi},
     {"-", "-"},
     {"1", "-"},
     {"%", "-", 1e-2},

@@ -69,37 +69,40 @@ void grid(List& list, const std::string& of, const core::Grid& nodes) {
   axis(list, of + "/y", y, "Y of the nodes, across the rolling direction");
 }
 
-std::vector<std::size_t> dims_of(const core::Field& field, bool one_line) {
-  return {one_line ? 1 : static_cast<std::size_t>(field.nodes_y()), static_cast<std::size_t>(field.nodes_x())};
+std::vector<std::size_t> dims_of(const core::Field& field, int lines) {
+  return {static_cast<std::size_t>(lines), static_cast<std::size_t>(field.nodes_x())};
 }
 
-void field(List& list, const std::string& of, const NamedField& one, bool one_line = false) {
+// A line contact is computed on three equal lines, of which a file has the middle one.
+int first_line(const core::Field& field, int lines) { return field.nodes_y() > lines ? 1 : 0; }
+
+void field(List& list, const std::string& of, const NamedField& one, int lines) {
   list.add({.path = of + "/" + one.name,
             .kind = Entry::Kind::numbers,
-            .dims = dims_of(*one.field, one_line),
+            .dims = dims_of(*one.field, lines),
             .fields = {one.field},
-            .one_line = one_line},
+            .first_line = first_line(*one.field, lines)},
            {{"unit", one.unit}, {"meaning", one.meaning}});
 }
 
-void series(List& list, const std::string& of, const Series& one, bool one_line = false) {
+void series(List& list, const std::string& of, const Series& one, int lines) {
   if (one.fields.empty()) return;
-  std::vector<std::size_t> dims = dims_of(*one.fields[0], one_line);
+  std::vector<std::size_t> dims = dims_of(*one.fields[0], lines);
   dims.insert(dims.begin(), one.fields.size());
   list.add({.path = of + "/" + one.name,
             .kind = Entry::Kind::numbers,
             .dims = dims,
             .fields = one.fields,
-            .one_line = one_line,
+            .first_line = first_line(*one.fields[0], lines),
             .single = one.single},
            {{"unit", one.unit}, {"meaning", one.meaning}});
 }
 
-void frames(List& list, const Frames& of, bool one_line) {
+void frames(List& list, const Frames& of, int lines) {
   if (of.group.empty()) return;
   list.group(of.group);
   column(list, of.group, {"time", "a/u_m", "times of the fields", false, of.times});
-  for (const Series& one : of.series) series(list, of.group, one, one_line);
+  for (const Series& one : of.series) series(list, of.group, one, lines);
 }
 
 std::string names_of(const std::vector<Column>& columns) {
@@ -126,8 +129,9 @@ void section(List& list, const core::Grid& along, const Section& of) {
   axis(list, of.group + "/x", of.x.empty() ? stations(along) : of.x, "X of the nodes");
   column(list, of.group, of.across);
   for (const Column& one : of.columns) column(list, of.group, one);
-  for (const NamedField& one : of.fields) field(list, of.group, one);
-  for (const Series& one : of.series) series(list, of.group, one);
+  for (const NamedField& one : of.fields) field(list, of.group, one, one.field->nodes_y());
+  for (const Series& one : of.series)
+    if (!one.fields.empty()) series(list, of.group, one, one.fields[0]->nodes_y());
   quantities(list, of.group, of.numbers);
 }
 
@@ -136,7 +140,7 @@ void volume(List& list, const Volume& of) {
   list.group(of.group, of.meaning);
   grid(list, of.group, of.grid);
   axis(list, of.group + "/z", of.depths, "depth below the surface");
-  for (const Series& one : of.series) series(list, of.group, one, of.grid.line);
+  for (const Series& one : of.series) series(list, of.group, one, lines_of(of.grid));
   quantities(list, of.group, of.numbers);
   const Column z{"z", "a", "depth below the surface, in Hertz radii", false, of.depths};
   section(list, of.grid, {of.group + "/section", of.section_meaning, z, of.section});
@@ -163,7 +167,7 @@ std::vector<double> row_by_row(const Entry& entry, std::size_t field) {
   const std::size_t rows = entry.dims[entry.dims.size() - 2], columns = entry.dims.back();
   std::vector<double> values(rows * columns);
   for (std::size_t i = 0; i < columns; ++i) {
-    const double* station = from.at_x(static_cast<int>(i)) + (entry.one_line ? 1 : 0);
+    const double* station = from.at_x(static_cast<int>(i)) + entry.first_line;
     for (std::size_t j = 0; j < rows; ++j) values[j * columns + i] = station[j];
   }
   return values;
@@ -190,11 +194,11 @@ std::vector<Entry> entries(const Content& content) {
   list.group("/grid");
   grid(list, "/grid", content.grid);
   list.group("/fields");
-  for (const NamedField& one : content.fields) field(list, "/fields", one, content.grid.line);
+  for (const NamedField& one : content.fields) field(list, "/fields", one, lines_of(content.grid));
   list.group("/summary");
   quantities(list, "/summary", content.summary);
   for (const Table& one : content.tables) table(list, one);
-  frames(list, content.frames, content.grid.line);
+  frames(list, content.frames, lines_of(content.grid));
   loose(list, content.checkpoint);
   volume(list, content.volume);
   section(list, content.grid, content.section);

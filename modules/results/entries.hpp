@@ -21,7 +21,7 @@ struct Entry {
   std::vector<std::size_t> dims{};           ///< for Kind::numbers; empty: a single one
   std::vector<double> values{};              ///< last dimension fastest; empty if the values are in `fields`
   std::vector<const core::Field*> fields{};  ///< row = y, column = x; for three dimensions one field per first index
-  bool one_line = false;                     ///< of these fields only line 1, the one of a line contact
+  int first_line = 0;                        ///< of these fields that belongs to the entry
   bool whole = false;                        ///< integers (counts)
   bool single = false;                       ///< stored in single precision
   std::vector<std::pair<std::string, std::string>> attributes{};  ///< unit, meaning, error; without empty ones

@@ -1,12 +1,12 @@
 #include "reynolds/far_field.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "core/errors.hpp"
+#include "reynolds/gauss_points.hpp"
 
 namespace ehl::reynolds {
 namespace {
@@ -78,18 +78,6 @@ std::vector<double> solved_with_rupture(const Angular& equation, std::vector<boo
     if (!changed) return f;
   }
   throw core::SolverError("the far field of this gap: the directions of rupture do not converge");
-}
-
-/// Points and weights of Gauss' rule on (0, 1).
-template <unsigned points>
-std::vector<std::pair<double, double>> gauss_points() {
-  using Rule = boost::math::quadrature::gauss<double, points>;
-  std::vector<std::pair<double, double>> rule;
-  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
-    for (const double sign : {-1.0, 1.0})
-      if (sign > 0.0 || Rule::abscissa()[k] > 0.0)
-        rule.emplace_back(0.5 * (1.0 + sign * Rule::abscissa()[k]), 0.5 * Rule::weights()[k]);
-  return rule;
 }
 
 }  // namespace

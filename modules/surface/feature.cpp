@@ -6,10 +6,13 @@
 #include <numbers>
 #include <vector>
 
+#include "core/constants.hpp"
+
 namespace ehl::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using core::pi;
+
 /// Time steps per width of a feature, and per wave length: a quarter of a wave has as many steps as a width.
 /// [bench: surface_parts_of_a_width]
 constexpr double parts_of_a_width = 4.0;

@@ -54,7 +54,7 @@ void hold(HeldResult& result, results::Entry&& entry) {
     held.error = made.path.substr(0, made.path.rfind('/') + 1) + *error;
   if (made.kind != results::Entry::Kind::numbers) return;
   if (!made.fields.empty()) {
-    held.values = made.fields.front()->at_x(0) + (made.one_line ? 1 : 0);
+    held.values = made.fields.front()->at_x(0) + made.first_line;
     held.strides[0] = 1;
     held.strides[1] = made.fields.front()->stride();
     return;

@@ -25,6 +25,7 @@ int usable_cores() {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double kilo = 1024.0;  // of Linux's kilobytes
 
 // The number that a file holds; `otherwise` if it holds none ("max").
 double number_in(const std::string& path, double otherwise) {
@@ -69,7 +70,6 @@ std::vector<Memory> control_groups() {
 Memory address_space() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
-  constexpr double kilo = 1024.0;
   return {static_cast<double>(limit.rlim_cur), kilo * number_after("/proc/self/status", "VmSize:", 0.0)};
 }
 
@@ -86,7 +86,6 @@ double usable_memory() {
 }
 
 double free_memory() {
-  constexpr double kilo = 1024.0;
   const Memory own = address_space();
   double bytes =
       std::min(kilo * number_after("/proc/meminfo", "MemAvailable:", installed_memory() / kilo), own.limit - own.used);
@@ -97,7 +96,7 @@ double free_memory() {
 double peak_memory() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts it in kilobytes
+  return kilo * static_cast<double>(usage.ru_maxrss);  // Linux counts it in kilobytes
 }
 
 std::string processor() {

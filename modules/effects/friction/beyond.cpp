@@ -1,31 +1,16 @@
 #include "effects/friction/beyond.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "reynolds/gauss_points.hpp"
 
 namespace ehl::friction {
 namespace {
 
 using std::numbers::pi;
-
-/// Points and weights of the Gauss rule on (0, 1).
-template <unsigned points>
-std::vector<std::pair<double, double>> gauss_points() {
-  using Rule = boost::math::quadrature::gauss<double, points>;
-  std::vector<std::pair<double, double>> rule;
-  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
-    for (const double sign : {-1.0, 1.0})
-      if (sign > 0.0 || Rule::abscissa()[k] > 0.0)
-        rule.emplace_back(0.5 * (1.0 + sign * Rule::abscissa()[k]), 0.5 * Rule::weights()[k]);
-  return rule;
-}
-
-/// The effect of heat decays upstream about as u^2, u = X_a/X. The far field uses one speed, chosen to give the right
-/// pressure at the first node; the effect at that node enters it with this share: int u^2 u^2 du over int u^2 du.
-constexpr double share_upstream = 0.6;
 
 double oil_fluidity(const Film& film, double P) {
   double fluidity = 1.0;
@@ -47,7 +32,7 @@ double sliding_stress(const Film& film, const Parameters& parameters, double P, 
 }
 
 Beyond beyond_line(const Film& film, const Parameters& parameters, double film_at_end) {
-  static const auto rule = gauss_points<20>();
+  static const auto rule = reynolds::gauss_points<20>();
   const core::Grid& grid = film.grid;
   const Outside& outside = *film.outside;
   const double slower = std::log(outside.state.speed);
@@ -68,7 +53,7 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   integrate(0, [&](double X, double H, double u, double weight) {
     const double P = outside.field.P(outside.field.at(X, 0.0), H, outside.state);
     sum.sliding += weight * sliding_stress(film, parameters, P, H, std::exp(warm_inlet * u * u));
-    const double eta_bar = 1.0 / oil_fluidity(film, P), speed = std::exp(slower * u * u / share_upstream);
+    const double eta_bar = 1.0 / oil_fluidity(film, P), speed = std::exp(slower * u * u / reynolds::share_upstream);
     sum.rolling += weight * 0.5 * parameters.slope * film.lambda * speed * eta_bar * (H - outside.state.flow) / (H * H);
   });
   integrate(grid.nx, [&](double, double H, double, double weight) {
@@ -88,8 +73,8 @@ PointQuadrature::PointQuadrature(const reynolds::FarField& field, const core::Qu
   scale_ = std::sqrt(gap.XX / (gap.YY - 0.25 * gap.XY * gap.XY / gap.XX));
   rupture_[0] = rupture(pi, 0.0);
   rupture_[1] = rupture(pi, 2.0 * pi);
-  static const auto around = gauss_points<10>();
-  static const auto along = gauss_points<10>();
+  static const auto around = reynolds::gauss_points<10>();
+  static const auto along = reynolds::gauss_points<10>();
   const std::vector<double> ends = panels();
   for (std::size_t k = 1; k < ends.size(); ++k)
     for (const auto& [part, angle_weight] : around) {
