@@ -33,6 +33,11 @@ Groups from_moes(double M, double L, const Ellipse& shape) {
   return {.M = M, .L = L, .lambda = lambda, .alpha_bar = alpha_bar, .shape = shape};
 }
 
+Groups with_typical_U(const Groups& groups) {
+  constexpr double typical_U = 1e-11;
+  return std::isnan(groups.U) ? from_moes(groups.M, groups.L, typical_U, groups.shape) : groups;
+}
+
 Groups from_moes(double M, double L, double U, const Ellipse& shape) {
   Groups groups = from_moes(M, L, shape);
   groups.W = M * std::pow(2.0 * U, power_of_speed(shape));

@@ -40,6 +40,9 @@ struct Groups {
 Groups from_moes(double M, double L, const Ellipse& shape = {});
 /// in: as above and U > 0. out: all groups.
 Groups from_moes(double M, double L, double U, const Ellipse& shape = {});
+/// Groups for film formulas: with a typical U if only M and L are known. In Moes' units the formulas depend on U only
+/// weakly, h_c ~ U^-0.013 and h_m ~ U^0.003.
+Groups with_typical_U(const Groups& groups);
 /// in: W > 0, U > 0, G >= 0.
 Groups from_hamrock_dowson(double W, double U, double G, const Ellipse& shape = {});
 

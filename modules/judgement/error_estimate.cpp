@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ehl::judgement {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Mesh size over the width of the zones in which the film forms; infinite for a film that is not positive.
 double step_in_zones(double h, double Hm) {
@@ -18,9 +17,9 @@ double step_in_zones(double h, double Hm) {
 ErrorEstimate estimate_error(const Tuning& tuning, std::span<const double> values, double scheme_order, double least,
                              std::optional<double> slowest_order) {
   const std::size_t n = values.size();
-  if (n < 2) return {nan, nan};
+  if (n < 2) return {core::unknown, core::unknown};
   const double last_change = values[n - 1] - values[n - 2];
-  double observed = nan;
+  double observed = core::unknown;
   if (n > 2) observed = std::log2((values[n - 2] - values[n - 3]) / last_change);
   double order = scheme_order;
   const double lowest_order = 0.5 * scheme_order;
@@ -47,7 +46,7 @@ ErrorEstimate estimate_error(const Tuning& tuning, std::span<const double> value
 
 FilmErrors errors_beside_meniscus(const Tuning& tuning, std::span<const double> Hc, std::span<const double> Hm) {
   const std::size_t n = Hc.size();
-  if (n < 2) return {nan, nan};
+  if (n < 2) return {core::unknown, core::unknown};
   const auto change = [](std::span<const double> of, std::size_t k) {
     return std::abs((of[k] - of[k - 1]) / of.back());
   };

@@ -1,9 +1,9 @@
 #pragma once
 // The discretization error of a film thickness, estimated from the sequence of grids.
-#include <limits>
 #include <optional>
 #include <span>
 
+#include "core/constants.hpp"
 #include "judgement/tuning.hpp"
 
 namespace ehl::judgement {
@@ -53,9 +53,8 @@ struct FilmErrors {
 FilmErrors errors_beside_meniscus(const Tuning& tuning, std::span<const double> Hc, std::span<const double> Hm);
 
 struct Extrapolation {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double value = unknown;
-  double relative_error = unknown;
+  double value = core::unknown;
+  double relative_error = core::unknown;
 };
 
 /// Richardson extrapolation v_k + (v_k - v_{k-1})/(2^p - 1), where p is the scheme's order. Its error is the change

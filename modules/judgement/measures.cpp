@@ -49,9 +49,6 @@ Interpolation interpolation(double t, int cells) {
   return result;
 }
 
-/// A spike lies where the dry contact has less than this share of its largest pressure.
-constexpr double of_rim = 0.8;
-
 double largest_on_rim(const core::Patch& grid, const core::Field& P, const core::QuadraticForm& outline) {
   double largest = 0.0;
   for (int i = 0; i <= grid.nx; ++i) {
@@ -116,8 +113,7 @@ Measures measures(const Subject& subject) {
           .flow_through = contact.through,
           .flow_imbalance = contact.imbalance(),
           .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance(),
-          .least_content = fields.content != nullptr ? core::minimum(*fields.content).value
-                                                     : std::numeric_limits<double>::quiet_NaN(),
+          .least_content = fields.content != nullptr ? core::minimum(*fields.content).value : core::unknown,
           .oil_imbalance =
               reynolds::conserves(cavitation) ? reynolds::oil_balance(grid, fields, transport).imbalance() : 0.0};
 }

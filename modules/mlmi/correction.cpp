@@ -9,9 +9,6 @@ namespace {
 int floor_half(int i) { return i >= 0 ? i / 2 : -((1 - i) / 2); }
 std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
-// Distance outside the patch up to which the dropped part of the correction is summed [points]; it falls as d^-2p.
-constexpr int margin = 12;
-
 }  // namespace
 
 Axis coarsened(const Axis& fine, int order) {

@@ -11,9 +11,6 @@ namespace {
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-// Distance outside the patch up to which the dropped part of the correction is summed [points]; it falls as d^-2p.
-constexpr int margin = 12;
-
 /// Vectors of sums that are kept in registers together; for a grid of 2^k cells the last block has one more.
 constexpr int block = 8;
 

@@ -18,6 +18,9 @@
 
 namespace ehl::mlmi {
 
+/// Distance outside the patch up to which the dropped part of the correction is summed [points]; it falls as d^-2p.
+inline constexpr int margin = 12;
+
 /// The points of one direction of one level: indices `first` to `last` in units of `every` fine cells of size h. Coarse
 /// levels extend beyond the domain, since interpolation of order 2p near its edge needs points outside.
 struct Axis {

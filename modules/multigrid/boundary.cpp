@@ -38,15 +38,10 @@ double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
   return reynolds::flow_along(level.grid, fields(level), transport_on(hierarchy, level), i, 1);
 }
 
-/// Share of the change of ln epsilon at the first node that counts for the oil upstream of it. Upstream the heating
-/// falls about as X^-2, and the integrand of the node's pressure as X^-4. With u = 1/|X| the share is the integral of
-/// u^2 u^2 over that of u^2.
-constexpr double share_upstream = 0.6;
-
 // Factor on epsilon upstream. The same flow builds up a pressure that is smaller by this factor.
 double mobility_upstream(const Hierarchy& hierarchy, const Level& level) {
   if (!along_one_line(hierarchy, level) || !level.factors) return 1.0;
-  return std::pow(level.factors->fluidity(0, 1) * level.factors->mobility(0, 1), share_upstream);
+  return std::pow(level.factors->fluidity(0, 1) * level.factors->mobility(0, 1), reynolds::share_upstream);
 }
 
 // The film without the surface relief.

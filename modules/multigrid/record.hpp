@@ -1,10 +1,10 @@
 #pragma once
 // Records and progress reports of a solve.
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "judgement/measures.hpp"
 #include "judgement/verification.hpp"
 #include "multigrid/hierarchy.hpp"
@@ -84,9 +84,11 @@ struct Record {
   judgement::Verification verification{};  ///< of the last state that was judged
   // The finest level alone:
   bool converged = false;
-  std::string failed_check{};  ///< empty if converged; else level, check and remedy
+  std::string failed_check{};  ///< empty if converged; else the level, the check and what to try
   CyclesEnd end = CyclesEnd::converged;
-  double cycle_factor = std::numeric_limits<double>::quiet_NaN();  ///< see steady::Solution
+  /// Convergence factor: geometric mean, over all cycles but the first, of the residual after a cycle over that before
+  /// it; NaN with fewer than two cycles.
+  double cycle_factor = core::unknown;
 };
 
 struct Run;

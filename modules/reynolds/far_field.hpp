@@ -10,6 +10,10 @@
 
 namespace ehl::reynolds {
 
+/// Heat upstream decays about as u^2, u = X_a/X, and the integrand of the first node's pressure as u^2 u^2. So ln
+/// epsilon at the first node counts upstream with this share: int u^2 u^2 du over int u^2 du.
+inline constexpr double share_upstream = 0.6;
+
 /// The constants of a far field.
 struct FarFieldOf {
   core::QuadraticForm gap;  ///< of the undeformed bodies, g(phi) r^2

@@ -14,9 +14,6 @@ namespace ehl::rheology {
 using core::in_registers;
 namespace {
 
-// Temperature at which all of Roelands' oils have their pole [K].
-constexpr double roelands_pole = 138.0;
-
 struct Change {
   Lanes D, slope;  ///< slope: dD/dtheta
 };

@@ -193,9 +193,9 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
 }
 
 Solution solution_of(const Scene& scene, multigrid::Run&& run) {
-  multigrid::Record& record = run.record;
   const multigrid::Level& finest = run.hierarchy.finest();
   Solution solution;
+  static_cast<multigrid::Record&>(solution) = std::move(run.record);
   solution.grid = finest.grid.domain;
   solution.P = core::on_domain(finest.grid, finest.P);
   solution.H = core::on_domain(finest.grid, finest.H);
@@ -206,16 +206,9 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
     solution.oil = multigrid::oil_of(run.hierarchy, finest);
   }
   solution.chattering_nodes = multigrid::chattering_nodes(finest);
-  solution.converged = record.converged;
-  solution.failed_check = record.failed_check;
-  solution.levels = std::move(record.levels);
-  solution.history = std::move(record.history);
   solution.deformation = finest.deformation.description();
-  solution.end = record.end;
-  solution.cycle_factor = record.cycle_factor;
   solution.remedies = std::move(run.remedies);
-  solution.verification = record.verification;
-  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && !scene.has_factors &&
+  if (scene.adjoint_errors && solution.converged && reynolds::third_order(scene.wedge) && !scene.has_factors &&
       !scene.supply)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);
   solution.times = run.hierarchy.times;

@@ -10,7 +10,6 @@
 #include "core/grid.hpp"
 #include "core/timer.hpp"
 #include "core/warning.hpp"
-#include "judgement/verification.hpp"
 #include "multigrid/record.hpp"
 #include "newton/solve.hpp"
 #include "reynolds/flow_balance.hpp"
@@ -52,7 +51,8 @@ struct AccuracyReport {
   bool interrupted = false;       ///< by the user: the solution is that of the finest grid solved so far
 };
 
-struct Solution {
+/// A solution, and the record of the grid sequence that led to it.
+struct Solution : multigrid::Record {
   core::Grid grid;
   core::Field P;
   core::Field H;
@@ -65,28 +65,19 @@ struct Solution {
   std::optional<Starvation> starvation;     ///< if the scene has a supply
   std::vector<Pass> passes;                 ///< if the scene asks for several; all else is of the last one
   std::vector<std::vector<double>> tracks;  ///< layer left by each pass, per line of the domain; in units of H
-  bool converged = false;
-  std::string failed_check;      ///< empty if converged; else the level, the check and what to try
-  std::vector<LevelRow> levels;  ///< coarse to fine; the last is the result
-  std::vector<CycleRow> history;
   core::PartTimes times;
   std::string deformation;  ///< the method that evaluated the film, for the report
   core::Warnings warnings;
   double seconds = 0.0;
-  CyclesEnd end = CyclesEnd::converged;  ///< on the finest grid
-  std::string method;                    ///< the strategy that led to this result
-  std::string path = "none";             ///< the same as a code for scripts and plots (Attempt::path)
+  std::string method;         ///< the strategy that led to this result
+  std::string path = "none";  ///< the same as a code for scripts and plots (Attempt::path)
   std::vector<Attempt> attempts;
   std::vector<std::string> remedies;  ///< what slow cycles of this result needed, by the names in cycle_control.cpp
   std::vector<ContinuationStep> continuation;
   std::vector<newton::Step> newton;  ///< on the finest grid
   std::string polish_failure;        ///< why the Newton refinement did not reach rounding errors
-  /// Convergence factor: geometric mean, over all cycles on the finest grid but the first, of the residual after a
-  /// cycle over that before it; NaN with fewer than two cycles.
-  double cycle_factor = core::unknown;
   /// Relative growth of Hc on a domain twice as large; NaN if a rough bound showed that it does not matter.
   double domain_error_Hc = core::unknown;
-  Verification verification;               ///< of the final state
   std::optional<adjoint::Errors> adjoint;  ///< of the final state, if requested and found
   ErrorBars error_bars;                    ///< of the final state
   AccuracyReport accuracy;                 ///< if an accuracy was requested

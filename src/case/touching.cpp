@@ -49,8 +49,7 @@ double smallest_smooth_film(const contact::Groups& groups) {
   if (const auto fit = contact::film_map(groups.M, groups.L, shape))
     return contact::H_from_moes_units(fit->minimum, groups.M, shape);
   if (!(groups.L > 0.0)) return core::unknown;
-  constexpr double typical_U = 1e-11;  // in Moes' units the formulas depend on U only weakly
-  const contact::Groups full = std::isnan(groups.U) ? contact::from_moes(groups.M, groups.L, typical_U, shape) : groups;
+  const contact::Groups full = contact::with_typical_U(groups);
   if (contact::line(shape)) return over_radius(contact::dowson_higginson(full), full);
   if (contact::along_smaller_radius(shape)) return over_radius(contact::hamrock_dowson(full), full);
   if (contact::near_chittenden(shape)) return over_radius(contact::chittenden(full), full);

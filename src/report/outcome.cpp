@@ -57,11 +57,8 @@ std::vector<Formula> published_formulas(const contact::Groups& groups) {
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
   if (!(groups.L > 0.0)) return formulas;
-  // In Moes' units the formulas depend on U only weakly (h_c ~ U^-0.013, h_m ~ U^0.003). A typical U is used if the
-  // deck gives only M and L.
-  constexpr double typical_U = 1e-11;
   const bool assumed = std::isnan(groups.U);
-  const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
+  const contact::Groups full = contact::with_typical_U(groups);
   const auto add = [&](const Publication& by, const contact::FilmThickness& film) {
     formulas.push_back({std::string(by.name) + (assumed ? " (U = 1e-11)" : ""), by.code,
                         contact::H_from_thickness_over_radius(film.central, full.W, shape),

@@ -12,10 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The effect of heat decays upstream about as u^2, u = X_a/X. The far field uses one speed, chosen to give the right
-/// pressure at the first node; the effect at that node enters it with this share: int u^2 u^2 du over int u^2 du.
-constexpr double share_upstream = 0.6;
-
 double oil_fluidity(const Film& film, double P) {
   double fluidity = 1.0;
   rheology::fluidity(film.viscosity, {&P, 1}, {&fluidity, 1});
@@ -57,7 +53,7 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   integrate(0, [&](double X, double H, double u, double weight) {
     const double P = outside.field.P(outside.field.at(X, 0.0), H, outside.state);
     sum.sliding += weight * sliding_stress(film, parameters, P, H, std::exp(warm_inlet * u * u));
-    const double eta_bar = 1.0 / oil_fluidity(film, P), speed = std::exp(slower * u * u / share_upstream);
+    const double eta_bar = 1.0 / oil_fluidity(film, P), speed = std::exp(slower * u * u / reynolds::share_upstream);
     sum.rolling += weight * 0.5 * parameters.slope * film.lambda * speed * eta_bar * (H - outside.state.flow) / (H * H);
   });
   integrate(grid.nx, [&](double, double H, double, double weight) {

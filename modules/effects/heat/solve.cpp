@@ -64,15 +64,13 @@ multigrid::State injected(const multigrid::Run& run, std::size_t l, const steady
   return {std::move(P), isothermal.H00};
 }
 
-// Largest temperatures downstream where the dry contact pressure is below this share of its maximum: a spike, if there
-// is one, lies there.
+// Largest temperatures at the rim, where a spike lies if there is one.
 void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch, const core::QuadraticForm& outline,
                  int intervals, Row& row) {
-  constexpr double of_rim = 0.8;
   for (int i = 0; i <= patch.nx; ++i) {
     if (patch.X(i) <= 0.0) continue;
     for (int j = 0; j <= patch.ny; ++j) {
-      if (outline.at(patch.X(i), patch.Y(j)) <= 1.0 - of_rim * of_rim) continue;
+      if (outline.at(patch.X(i), patch.Y(j)) <= 1.0 - judgement::of_rim * judgement::of_rim) continue;
       for (int k = 0; k <= intervals; ++k) row.film_behind = std::fmax(row.film_behind, film.theta(i, j, k));
       row.surface_1_behind = std::fmax(row.surface_1_behind, film.theta(i, j, intervals));
       row.surface_2_behind = std::fmax(row.surface_2_behind, film.theta(i, j, 0));
@@ -203,8 +201,7 @@ HeatedRun found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& 
 void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
   result.spike_unresolved = bars.spike_unresolved;
   if (!bars.spike_unresolved) return;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  result.in_film.error = unknown;
+  result.in_film.error = core::unknown;
 }
 
 // in: inlet_error, of Hc and Hm from the length of the inlet: oil that returns from upstream is warmer or colder than

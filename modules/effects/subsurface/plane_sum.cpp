@@ -5,9 +5,6 @@
 namespace ehl::subsurface {
 namespace {
 
-constexpr int columns_of_block = mlmi::ColumnTransform::columns;
-constexpr int block_doubles = mlmi::ColumnTransform::doubles;
-
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
 // product = spectrum (factor_real real + i factor_imaginary imaginary) over a row of a block.

@@ -29,7 +29,14 @@ std::vector<double> sequence(double limit, double error, double order, int count
 
 LastCycle good_cycle() {
   return {.before = {.Hc = 0.2001, .Hm = 0.1001, .residual = 1e-3, .load_error = 1e-5},
-          .after = {.Hc = 0.2, .Hm = 0.1, .residual = 1e-4, .load_error = 1e-6},
+          .after = {.Hc = 0.2,
+                    .Hm = 0.1,
+                    .residual = 1e-4,
+                    .load_error = 1e-6,
+                    .least_P = 0.0,
+                    .dry_violation = 0.0,
+                    .flow_imbalance = 0.0,
+                    .oil_imbalance = 0.0},
           .mesh_error_Hc = 0.02,
           .mesh_error_Hm = 0.03};
 }
