@@ -244,7 +244,7 @@ ElasticShape elastic_shape(deck::Deck& deck) {
   const double ratio = contact.given("radius_ratio") ? contact.number("radius_ratio") : of_radii;
   ElasticShape found{.radius = radius, .E_prime = modulus_of(contact)};
   if (!contact.key("radius_ratio").range.contains(ratio))
-    found.radius = silent;
+    found.radius = core::unknown;
   else if (ratio != 1.0)
     found.shape = ellipse(ratio, 0.0);
   return found;

@@ -45,8 +45,8 @@ bool is_line(deck::Deck& deck);
 /// E', R_x and shape of a point contact in SI without coatings, which do not depend on its load. NaN for what is
 /// missing or wrong, which read() reports.
 struct ElasticShape {
-  double radius = silent;   ///< R_x [m]
-  double E_prime = silent;  ///< [Pa]
+  double radius = core::unknown;   ///< R_x [m]
+  double E_prime = core::unknown;  ///< [Pa]
   Ellipse shape{};
 };
 ElasticShape elastic_shape(deck::Deck& deck);

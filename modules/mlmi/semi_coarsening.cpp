@@ -36,9 +36,9 @@ SemiCoarsening::SemiCoarsening(const Shape& shape, const kernel::Kernel& kernel,
       ring_rows_(2 * shape.patch_along + shape.order + 2),
       zero_row_(size(vectors(shape.across.points())) * lanes) {
   const int row = (shape.patch_across + 1) * widest_columns;
-  const int margin = widest_columns + 2 * shape.patch_across;
+  const int ends = widest_columns + 2 * shape.patch_across;
   for (int t = 0; t < threads; ++t)
-    work_.emplace_back(size(ring_rows_ * row + coarse_ring_rows * widest_columns + margin));
+    work_.emplace_back(size(ring_rows_ * row + coarse_ring_rows * widest_columns + ends));
 }
 
 void SemiCoarsening::anterpolate(const double* u, std::ptrdiff_t stride_u, double* coarse_u,

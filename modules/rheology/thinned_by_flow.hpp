@@ -5,6 +5,11 @@
 
 namespace ehl::rheology {
 
+/// Below this P the limiting stress is that of this pressure, because measured ones do not vanish with p.
+constexpr double least_P_of_limit = 1e-3;
+/// Lower bound of H, which keeps divisions by the film finite.
+constexpr double least_film = 1e-6;
+
 /// Factors over thinning by sliding alone (film_fluidity()).
 struct FlowThinned {
   core::Lanes along, across;  ///< mobilities: secants flow/g
@@ -12,9 +17,9 @@ struct FlowThinned {
 };
 
 /// in: H fluidity > 0; mean velocities of the flow, of either sign; near: the factors at a similar film and flow, from
-/// which fewer Newton steps are needed. Gauss rule with eight points, Newton's method for t
-/// and g. error: grows with g, [bench: flow_thinning_points]. limits: a flow that shears by less than no_stress
-/// (flow_thinning.cpp) counts as that value.
+/// which fewer Newton steps are needed. Gauss rule with eight points, Newton's method for t and g. error: grows with g,
+/// [bench: flow_thinning_points]. limits: a flow that shears by less than no_stress (flow_thinning.cpp) counts as that
+/// value.
 FlowThinned thinned_by_flow(const FlowThinning& thinning, core::Lanes H_fluidity, core::Lanes flow_x,
                             core::Lanes flow_y, const FlowThinned* near = nullptr);
 

@@ -13,8 +13,6 @@ namespace {
 
 using core::broadcast;
 
-// Lower bound of H, which keeps divisions by the film finite.
-constexpr double least_film = 1e-6;
 // Lower bound of the filled share of the gap, by which columns are divided.
 constexpr double least_oil = 1e-4;
 
@@ -67,7 +65,7 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
     for (int j = 0; j < lines; ++j) {
       const bool inside = j <= patch.ny;
       P_(i, j) = inside ? P(i, j) : 0.0;
-      H_(i, j) = inside ? std::max(H(i, j), least_film) : 1.0;
+      H_(i, j) = inside ? std::max(H(i, j), rheology::least_film) : 1.0;
     }
     if (line) {
       core::fill_ghosts(patch, P_.at_x(i));
@@ -142,10 +140,8 @@ void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Work
   if (setup_.flow_thinning) {
     const rheology::FlowThinned by =
         rheology::thinned_by_flow(*setup_.flow_thinning, at.H * at.I0 * at.fluidity, driven_x, driven_y);
-    // Where the limiting stress acts, the film flows with the viscosity limit/rate. Below this pressure the limit is
-    // that of this pressure, because measured limiting stresses do not vanish with p.
-    constexpr double least_P = 1e-3;
-    const Lanes limit = (setup_.limit * setup_.stress_of_P) * core::max(at.P, broadcast(least_P));
+    // Where the limiting stress acts, the film flows with the viscosity limit/rate.
+    const Lanes limit = (setup_.limit * setup_.stress_of_P) * core::max(at.P, broadcast(rheology::least_P_of_limit));
     const Lanes over = core::max(broadcast(1.0), at.unlimited / limit);
     put(more_x_, over * by.along);
     put(more_y_, over * by.across);

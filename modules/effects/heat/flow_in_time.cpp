@@ -11,11 +11,6 @@ namespace {
 
 using core::Lanes;
 
-/// Below this pressure the limiting stress is that of this pressure, because measured ones do not vanish with p.
-constexpr double least_P = 1e-3;
-/// Lower bound of H, which keeps divisions by the film finite.
-constexpr double least_film = 1e-6;
-
 // d/dX or d/dY, by central differences; one-sided at the boundary.
 double slope_X(const core::Patch& grid, const core::Field& P, int i, int j) {
   const int west = std::max(i - 1, 0), east = std::min(i + 1, grid.nx);
@@ -53,7 +48,8 @@ Factors factors_of(const FlowSetup& setup, double sliding, Batch& at) {
                                                              at.H * fluidity, flow_x, flow_y, &at.before);
   // Where the limiting stress acts, the film flows with the viscosity limit/rate.
   const Lanes tau = by.stress * (setup.stress_of_u * sliding) / (at.H * across);
-  const Lanes over = core::max(core::broadcast(1.0), tau / (setup.limit * core::max(at.P, core::broadcast(least_P))));
+  const Lanes over = core::max(core::broadcast(1.0),
+                               tau / (setup.limit * core::max(at.P, core::broadcast(rheology::least_P_of_limit))));
   return {over * by.along, over * by.across, by};
 }
 
@@ -92,7 +88,7 @@ transient::FilmFactors FlowInTime::respond(double T, const core::Patch& grid, co
     for (int lane = 0; lane < core::lanes; ++lane) {
       const int node = std::min(first + lane, nodes - 1), i = node / per_column, j = line ? 1 : node % per_column;
       at.P[lane] = P(i, j);
-      at.H[lane] = std::max(H(i, j), least_film);
+      at.H[lane] = std::max(H(i, j), rheology::least_film);
       at.P_X[lane] = slope_X(grid, P, i, j);
       at.P_Y[lane] = slope_Y(grid, P, i, j);
       at.more_x[lane] = more_x(i, j);
