@@ -1,8 +1,9 @@
 #include "film/half_points.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
-#include "core/spans.hpp"
+#include "core/simd.hpp"
 
 namespace ehl::film {
 namespace {
@@ -24,6 +25,17 @@ double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<
   return share * (f0 * da0 + f1 * da1) + of_bound;
 }
 
+// epsilon at a vector of faces; `read` loads the values of a span for them.
+template <class Read>
+Lanes epsilon_of(const AroundLines& around, const Between& how, Read read) {
+  const auto& [H, rho, phi, a] = around;
+  return epsilon_between<Lanes>({{read(H[0]), read(H[1]), read(H[2]), read(H[3])},
+                                 {read(rho[0]), read(rho[1])},
+                                 {read(phi[0]), read(phi[1])},
+                                 {read(a[0]), read(a[1])}},
+                                how);
+}
+
 }  // namespace
 
 double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, const Between& how) {
@@ -39,12 +51,19 @@ double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<d
 }
 
 void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps) {
-  const auto& [H, rho, phi, a] = around;
-  core::in_registers(
-      std::array{H[0], H[1], H[2], H[3], rho[0], rho[1], phi[0], phi[1], a[0], a[1]}, std::array{eps},
-      [&](Lanes H0, Lanes H1, Lanes H2, Lanes H3, Lanes rho0, Lanes rho1, Lanes phi0, Lanes phi1, Lanes a0, Lanes a1) {
-        return std::array{epsilon_between<Lanes>({{H0, H1, H2, H3}, {rho0, rho1}, {phi0, phi1}, {a0, a1}}, how)};
-      });
+  constexpr std::size_t width = core::lanes;
+  const std::size_t whole = eps.size() / width * width;
+  for (std::size_t k = 0; k < whole; k += width)
+    core::store(&eps[k],
+                epsilon_of(around, how, [k](std::span<const double> values) { return core::load(&values[k]); }));
+  if (whole == eps.size()) return;
+  std::array<double, width> last{};
+  core::store(last.data(), epsilon_of(around, how, [whole](std::span<const double> values) {
+                std::array<double, width> padded{};
+                std::copy(values.begin() + static_cast<std::ptrdiff_t>(whole), values.end(), padded.begin());
+                return core::load(padded.data());
+              }));
+  for (std::size_t k = whole; k < eps.size(); ++k) eps[k] = last[k - whole];
 }
 
 void epsilon_between_nodes(const AlongStation& along, const Between& how, std::span<double> eps) {

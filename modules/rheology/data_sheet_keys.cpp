@@ -59,6 +59,7 @@ void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alp
   deck::mark_following(lubricant.deck, lubricant.section, "z");
   oil.z = z;
   oil.roelands_alpha = z * roelands_log_ratio(oil.eta0) / oil.p0;
+  constexpr double pascal = 1.0;
   if (!same_temperature)
     oil.alpha = pressure_coefficients(make_roelands(oil.roelands_alpha, oil.p0, z, pascal)).alpha_star;
 }

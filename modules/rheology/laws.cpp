@@ -7,11 +7,10 @@
 #include <string>
 
 #include "core/errors.hpp"
-#include "core/spans.hpp"
 #include "rheology/elementary.hpp"
+#include "rheology/spans.hpp"
 
 namespace ehl::rheology {
-using core::in_registers;
 namespace {
 
 // Dowson and Higginson: the density increases by 34 % at infinite pressure.
@@ -20,52 +19,52 @@ constexpr double compression = 0.34;
 constexpr std::size_t chunk = 64;
 
 void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [](Lanes) { return Lanes{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void log_eta(const Barus& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes p) { return law.alpha_bar * p; });
+  apply(P, out, [&](Lanes p) { return law.alpha_bar * p; });
 }
 // In two loops: iterations of a loop with one elementary function overlap in the processor, those with a chain of two
 // or three do not.
 void log_eta(const Roelands& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes p) {
+  apply(P, out, [&](Lanes p) {
     const Lanes u = law.p_h_over_p0 * p;
     // At the pole the power is 0, and the formula would give a number that looks valid.
     return u > -1.0 ? law.z * log1p(u) : broadcast(NAN);
   });
-  in_registers(out, out, [&](Lanes power) { return law.alpha_p0_over_z * expm1(power); });
+  apply(out, out, [&](Lanes power) { return law.alpha_p0_over_z * expm1(power); });
 }
 
 void log_eta_slope(Isoviscous, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [](Lanes) { return Lanes{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void log_eta_slope(const Barus& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes) { return broadcast(law.alpha_bar); });
+  apply(P, out, [&](Lanes) { return broadcast(law.alpha_bar); });
 }
 void log_eta_slope(const Roelands& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes p) {
+  apply(P, out, [&](Lanes p) {
     const Lanes u = law.p_h_over_p0 * p;
     return u > -1.0 ? (law.z - 1.0) * log1p(u) : broadcast(NAN);
   });
   const double factor = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
-  in_registers(out, out, [&](Lanes power) { return factor * exp(power); });
+  apply(out, out, [&](Lanes power) { return factor * exp(power); });
 }
 
 void rho(Incompressible, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [](Lanes) { return broadcast(1.0); });
+  apply(P, out, [](Lanes) { return broadcast(1.0); });
 }
 void rho(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes p) {
+  apply(P, out, [&](Lanes p) {
     const Lanes v = law.p_h_over_B * p;
     return (1.0 + (1.0 + compression) * v) / (1.0 + v);
   });
 }
 
 void rho_slope(Incompressible, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [](Lanes) { return Lanes{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void rho_slope(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
-  in_registers(P, out, [&](Lanes p) {
+  apply(P, out, [&](Lanes p) {
     const Lanes denominator = 1.0 + law.p_h_over_B * p;
     return (compression * law.p_h_over_B) / (denominator * denominator);
   });
@@ -74,7 +73,7 @@ void rho_slope(const DowsonHigginson& law, std::span<const double> P, std::span<
 template <class Law>
 void reciprocal_eta(const Law& law, std::span<const double> P, std::span<double> out) {
   log_eta(law, P, out);
-  in_registers(out, out, [](Lanes exponent) { return exp(-exponent); });
+  apply(out, out, [](Lanes exponent) { return exp(-exponent); });
 }
 void reciprocal_eta(Isoviscous, std::span<const double>, std::span<double> out) { std::ranges::fill(out, 1.0); }
 
@@ -213,7 +212,7 @@ void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, s
                            std::ranges::fill(out, 1.0);
                          } else {
                            log_eta(law, p, exponent);
-                           in_registers(exponent, out, [](Lanes a) { return exp(-a); });
+                           apply(exponent, out, [](Lanes a) { return exp(-a); });
                          }
                        });
 }
@@ -226,7 +225,7 @@ void thin_log_viscosity(std::span<const double> oil_fluidity, std::span<const do
     for (std::size_t k = 0; k < count; ++k)
       more[k] = oil_fluidity[first + k] > 0.0 ? fluidity[first + k] / oil_fluidity[first + k] - 1.0 : 0.0;
     const std::span<double> logarithm(more.data(), count);
-    in_registers(logarithm, logarithm, [](Lanes x) { return log1p(x); });
+    apply(logarithm, logarithm, [](Lanes x) { return log1p(x); });
     for (std::size_t k = 0; k < count; ++k) log_eta_bar[first + k] -= more[k];
   }
 }

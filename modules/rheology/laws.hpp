@@ -22,8 +22,6 @@ struct Roelands {
 };
 using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands, Doolittle, Yasutomi, TabulatedViscosity>;
 
-/// The scale p_h of a law of pressures in Pa.
-inline constexpr double pascal = 1.0;
 /// Roelands' reference pressure [Pa].
 inline constexpr double roelands_p0 = 1.96e8;
 /// Roelands' exponent of a mineral oil of unknown viscosity.

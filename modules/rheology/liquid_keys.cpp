@@ -126,6 +126,7 @@ Liquid read_liquid(const deck::Part& lubricant) {
   Liquid liquid;
   if (!lubricant.deck.errors.empty()) return liquid;
 
+  constexpr double pascal = 1.0;
   const double K0 = lubricant.number("K0"), K0_prime = lubricant.number("K0_prime");
   if (density == "tait") liquid.density = make_tait(K0, K0_prime, pascal);
   if (density == "murnaghan") liquid.density = make_murnaghan(K0, K0_prime, pascal);

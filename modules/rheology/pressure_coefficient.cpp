@@ -70,6 +70,7 @@ PressureCoefficients pressure_coefficients(const ViscosityLaw& law) {
 }
 
 double roelands_z_of(double alpha_star, double p0, double eta0) {
+  constexpr double pascal = 1.0;
   const double log_ratio = roelands_log_ratio(eta0);
   if (!(log_ratio > 0.0)) return core::unknown;
   const auto miss = [&](double z) {
@@ -79,6 +80,7 @@ double roelands_z_of(double alpha_star, double p0, double eta0) {
 }
 
 double roelands_alpha_of(double alpha_star, double p0, double z) {
+  constexpr double pascal = 1.0;
   const auto miss = [&](double alpha) {
     return pressure_coefficients(make_roelands(alpha, p0, z, pascal)).alpha_star / alpha_star - 1.0;
   };

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/spans.hpp"
 #include "rheology/elementary.hpp"
 
 namespace ehl::rheology {
-using core::in_registers;
 namespace {
 
 /// Below this asinh(s)/s is 1 - s^2/6 to the last bit.
@@ -40,16 +38,27 @@ Two slopes(const Carreau& law, double k, Lanes B, Lanes m) {
   return {across + 2.0 * share - 2.0 * (B * B / (B * B + law.n * k * k)), across};
 }
 
-// f(H, B, m) at all nodes.
+// f(B, m) for one register at a time; the remainder uses padded copies.
 template <class Function>
-void at_nodes(double k, std::span<const double> H, std::span<const double> fluidity, std::span<double> along,
-              std::span<double> across, Function f) {
-  in_registers(std::array{H, fluidity}, std::array{along, across}, [&](Lanes film, Lanes of_oil) {
-    const Lanes h = film < least_film ? broadcast(least_film) : film;
-    const Lanes B = h * of_oil;
+void for_lanes(double k, std::span<const double> H, std::span<const double> fluidity, std::span<double> along,
+               std::span<double> across, Function f) {
+  constexpr std::size_t width = core::lanes;
+  for (std::size_t first = 0; first < H.size(); first += width) {
+    const std::size_t count = std::min(width, H.size() - first);
+    std::array<double, width> film, oil, x, y;
+    film.fill(1.0);
+    oil.fill(1.0);
+    std::copy_n(&H[first], count, film.data());
+    std::copy_n(&fluidity[first], count, oil.data());
+    Lanes h = core::load(film.data());
+    h = h < least_film ? broadcast(least_film) : h;
+    const Lanes B = h * core::load(oil.data());
     const Two result = f(h, B, square_root(B * B + k * k));
-    return std::array{result.along, result.across};
-  });
+    core::store(x.data(), result.along);
+    core::store(y.data(), result.across);
+    std::copy_n(x.data(), count, &along[first]);
+    std::copy_n(y.data(), count, &across[first]);
+  }
 }
 
 }  // namespace
@@ -76,7 +85,7 @@ void film_fluidity(const ShearThinning& thinning, std::span<const double> H, std
   }
   std::visit(
       [&](const auto& law) {
-        at_nodes(k, H, fluidity, along, across, [&](Lanes h, Lanes B, Lanes m) {
+        for_lanes(k, H, fluidity, along, across, [&](Lanes h, Lanes B, Lanes m) {
           const Two B_thinned = fluidities(law, k, B, m);
           return Two{B_thinned.along / h, B_thinned.across / h};
         });
@@ -89,7 +98,7 @@ void film_fluidity_slopes(const ShearThinning& thinning, std::span<const double>
   const double k = thinning.k;
   std::visit(
       [&](const auto& law) {
-        at_nodes(k, H, fluidity, along, across, [&](Lanes, Lanes B, Lanes m) { return slopes(law, k, B, m); });
+        for_lanes(k, H, fluidity, along, across, [&](Lanes, Lanes B, Lanes m) { return slopes(law, k, B, m); });
       },
       thinning.law);
 }

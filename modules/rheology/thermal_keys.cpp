@@ -27,6 +27,7 @@ std::vector<double> numbers(const deck::Part& part, const Names& names) {
 
 // Roelands: all oils meet at T = 138 K. S0 follows from the second viscosity.
 Houpert through_second(const deck::Part& thermal, double T0, double eta0, double T, double eta) {
+  constexpr double pole = 138.0;
   const double A = roelands_log_ratio(eta0);
   const double share = 1.0 + std::log(eta / eta0) / A;
   if (!((T - T0) * (eta - eta0) < 0.0))
@@ -35,7 +36,7 @@ Houpert through_second(const deck::Part& thermal, double T0, double eta0, double
                      "below: an oil thins when it warms");
   else if (!(share > 0.0))
     thermal.complain("eta_second", "is too far from the viscosity at T_oil for Roelands' law: check both [Pa s]");
-  return {-std::log(share) / std::log((T - roelands_pole) / (T0 - roelands_pole)), A};
+  return {-std::log(share) / std::log((T - pole) / (T0 - pole)), A};
 }
 
 // Ambient viscosity for Barus and Roelands, from the keys that the deck gives.

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/spans.hpp"
 #include "rheology/elementary.hpp"
+#include "rheology/spans.hpp"
 
 namespace ehl::rheology {
-using core::in_registers;
 namespace {
 
 struct Density {
@@ -44,6 +43,30 @@ Density change(const Tait& at, const VolumeOfTemperature& volume, double T0, Lan
   return {(1.0 - c0) / (left * expanded), T0 * (volume.a_V / expanded - growth)};
 }
 
+// f(P, theta, k) for one register at a time from k on; the remainder uses padded copies.
+template <class Function>
+void in_registers(std::span<const double> P, std::span<const double> theta, std::span<double> out,
+                  std::span<double> second, Function f) {
+  constexpr std::size_t width = core::lanes;
+  for (std::size_t k = 0; k < P.size(); k += width) {
+    const std::size_t count = std::min(width, P.size() - k);
+    if (count == width) {
+      const Density result = f(core::load(&P[k]), core::load(&theta[k]));
+      core::store(&out[k], result.ratio);
+      if (!second.empty()) core::store(&second[k], result.expansion);
+      continue;
+    }
+    std::array<double, width> p{}, t{}, a{}, b{};
+    std::copy_n(&P[k], count, p.data());
+    std::copy_n(&theta[k], count, t.data());
+    const Density result = f(core::load(p.data()), core::load(t.data()));
+    core::store(a.data(), result.ratio);
+    core::store(b.data(), result.expansion);
+    std::copy_n(a.data(), count, &out[k]);
+    if (!second.empty()) std::copy_n(b.data(), count, &second[k]);
+  }
+}
+
 }  // namespace
 
 ThermalDensity make_thermal_density(const DensityLaw& law, double T0,
@@ -64,19 +87,16 @@ ThermalDensity rescaled(const ThermalDensity& law, double factor) {
 
 void density_change(const ThermalDensity& law, std::span<const double> P, std::span<const double> theta,
                     std::span<double> ratio, std::span<double> expansion) {
-  const auto set = [&](auto change_of) {
-    in_registers(std::array{P, theta}, std::array{ratio, expansion}, [&](Lanes p, Lanes t) {
-      const Density found = change_of(p, t);
-      return std::array{found.ratio, found.expansion};
-    });
-  };
-  if (const auto* by = std::get_if<Expansion>(&law.expansion))
-    return set([&](Lanes p, Lanes t) { return change(law, *by, p, t); });
+  if (const auto* by = std::get_if<Expansion>(&law.expansion)) {
+    in_registers(P, theta, ratio, expansion, [&](Lanes p, Lanes t) { return change(law, *by, p, t); });
+    return;
+  }
   const VolumeOfTemperature& volume = std::get<EquationOfState>(law.expansion).volume;
   if (const auto* tait = std::get_if<Tait>(&law.at_T0))
-    set([&](Lanes p, Lanes t) { return change(*tait, volume, law.T0, p, t); });
+    in_registers(P, theta, ratio, expansion, [&](Lanes p, Lanes t) { return change(*tait, volume, law.T0, p, t); });
   else if (const auto* murnaghan = std::get_if<Murnaghan>(&law.at_T0))
-    set([&](Lanes p, Lanes t) { return change(*murnaghan, volume, law.T0, p, t); });
+    in_registers(P, theta, ratio, expansion,
+                 [&](Lanes p, Lanes t) { return change(*murnaghan, volume, law.T0, p, t); });
 }
 
 HeatLaw rescaled(const HeatLaw& law, double factor) {
@@ -87,7 +107,7 @@ HeatLaw rescaled(const HeatLaw& law, double factor) {
 
 void conductivity(const HeatLaw& law, std::span<const double> P, std::span<double> k_bar) {
   const auto* measured = std::get_if<LarssonAndersson>(&law);
-  in_registers(P, k_bar, [&](Lanes p) {
+  apply(P, k_bar, [&](Lanes p) {
     if (!measured) return broadcast(1.0);
     const Lanes GPa = measured->p_h_in_GPa * p;
     return 1.0 + 1.72 * GPa / (1.0 + 0.54 * GPa);
@@ -97,11 +117,11 @@ void conductivity(const HeatLaw& law, std::span<const double> P, std::span<doubl
 void heat_capacity(const HeatLaw& law, std::span<const double> P, std::span<const double> theta,
                    std::span<double> rho_c_bar) {
   const auto* measured = std::get_if<LarssonAndersson>(&law);
-  in_registers(std::array{P, theta}, std::array{rho_c_bar}, [&](Lanes p, Lanes t) {
-    if (!measured) return std::array{broadcast(1.0)};
+  in_registers(P, theta, rho_c_bar, {}, [&](Lanes p, Lanes t) {
+    if (!measured) return Density{broadcast(1.0), {}};
     const Lanes GPa = measured->p_h_in_GPa * p;
     const Lanes b = (9.3e-4 * measured->T0) * (1.0 + GPa * (1.4 - 0.51 * GPa));
-    return std::array{(1.0 + 0.47 * GPa / (1.0 + 0.81 * GPa)) * (1.0 + b * t)};
+    return Density{(1.0 + 0.47 * GPa / (1.0 + 0.81 * GPa)) * (1.0 + b * t), {}};
   });
 }
 

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/errors.hpp"
-#include "core/spans.hpp"
 #include "rheology/elementary.hpp"
+#include "rheology/spans.hpp"
 
 namespace ehl::rheology {
-using core::in_registers;
 namespace {
+
+constexpr double ln_10 = 2.302585092994045684;
+// Temperature at which all of Roelands' oils have their pole [K].
+constexpr double roelands_pole = 138.0;
 
 struct Change {
   Lanes D, slope;  ///< slope: dD/dtheta
@@ -52,7 +54,7 @@ Kinematic kinematic(Lanes Z) {
 }
 Change ambient_change(const DataSheet& law, double T0, Lanes theta) {
   // Z = 10^(10^(A - B lg T)).
-  const double log_Z0 = std::numbers::ln10 * std::pow(10.0, law.walther.A - law.walther.B * std::log10(T0));
+  const double log_Z0 = ln_10 * std::pow(10.0, law.walther.A - law.walther.B * std::log10(T0));
   const Lanes log_Z = log_Z0 * exp(-law.walther.B * log1p(theta));
   const Kinematic here = kinematic(exp(log_Z)), there = kinematic(exp(broadcast(log_Z0)));
   // rho15 exp[-x (1 + 0.8 x)], x = a (T - 15 C).
@@ -129,7 +131,7 @@ Change change(const YasutomiOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes x_at_T0 = (at.x0 - at.A1 * log1p(at.A2 * p)) * F;
   const Lanes dx = dT * F;
   const Lanes before = at.C2 + x_at_T0, here = before + dx;
-  const double factor = std::numbers::ln10 * at.C1 * at.C2;
+  const double factor = ln_10 * at.C1 * at.C2;
   const Lanes fluid = -factor * dx / (before * here);
   const Lanes fluid_slope = -factor * F / (here * here);
 
@@ -137,7 +139,7 @@ Change change(const YasutomiOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes A2_p_g = expm1((at.x0 + dT) / at.A1);
   const Lanes p_g = A2_p_g / at.A2;
   const Lanes F_g = exp(at.b2 * log1p(at.b1 * p_g));
-  const Lanes slope_g = (std::numbers::ln10 * at.C1 / at.C2 * at.A1 * at.A2) * F_g / (1.0 + A2_p_g);
+  const Lanes slope_g = (ln_10 * at.C1 / at.C2 * at.A1 * at.A2) * F_g / (1.0 + A2_p_g);
   const Lanes beyond = at.log_glass + slope_g * (p - p_g);
   const Lanes p_g_slope = (1.0 + A2_p_g) / (at.A1 * at.A2);
   const Lanes log_turn = at.b1 * at.b2 / (1.0 + at.b1 * p_g) * p_g_slope - 1.0 / at.A1;
@@ -145,8 +147,7 @@ Change change(const YasutomiOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
 
   const auto glass_here = p > p_g, glass_at_T0 = p > at.p_glass;
   // ln eta_bar = log_glass - ln(10) C1 x/(C2 + x).
-  const Lanes liquid =
-      glass_at_T0 ? at.log_glass - (std::numbers::ln10 * at.C1) * (x_at_T0 + dx) / here - log_eta : fluid;
+  const Lanes liquid = glass_at_T0 ? at.log_glass - (ln_10 * at.C1) * (x_at_T0 + dx) / here - log_eta : fluid;
   const Lanes D = glass_here ? beyond - log_eta : liquid;
   return {theta == 0.0 ? Lanes{} : D, law.T0 * (glass_here ? beyond_slope : fluid_slope)};
 }
@@ -199,12 +200,26 @@ double log_ambient_change(const AmbientViscosity& ambient, double T0, double T) 
 
 void log_viscosity_change(const ThermalViscosity& law, std::span<const double> P, std::span<const double> log_eta,
                           std::span<const double> theta, std::span<double> D, std::span<double> dD) {
+  constexpr std::size_t width = core::lanes;
+  const auto one_register = [&](const auto& v, const double* p, const double* l, const double* t, double* d,
+                                double* s) {
+    const Change result = change(v, core::load(p), core::load(l), core::load(t));
+    core::store(d, result.D);
+    core::store(s, result.slope);
+  };
   std::visit(
       [&](const auto& v) {
-        in_registers(std::array{P, log_eta, theta}, std::array{D, dD}, [&](Lanes p, Lanes l, Lanes t) {
-          const Change result = change(v, p, l, t);
-          return std::array{result.D, result.slope};
-        });
+        const std::size_t whole = P.size() / width * width;
+        for (std::size_t k = 0; k < whole; k += width) one_register(v, &P[k], &log_eta[k], &theta[k], &D[k], &dD[k]);
+        if (whole == P.size()) return;
+        std::array<double, width> p{}, l{}, t{}, d{}, s{};
+        const std::size_t rest = P.size() - whole;
+        std::copy_n(&P[whole], rest, p.data());
+        std::copy_n(&log_eta[whole], rest, l.data());
+        std::copy_n(&theta[whole], rest, t.data());
+        one_register(v, p.data(), l.data(), t.data(), d.data(), s.data());
+        std::copy_n(d.data(), rest, &D[whole]);
+        std::copy_n(s.data(), rest, &dD[whole]);
       },
       law);
 }

@@ -18,8 +18,6 @@ namespace ehl::rheology {
 struct Exponential {
   double beta;  ///< [1/K] > 0
 };
-/// Temperature at which all of Roelands' oils have their pole [K].
-inline constexpr double roelands_pole = 138.0;
 /// E = A {[(T - 138)/(T0 - 138)]^-S0 - 1}, A = ln eta0 + 9.67: all oils approach one viscosity at high T.
 /// source: Roelands 1966; Houpert 1985, who writes S0 = beta (T0 - 138)/A.
 struct Houpert {

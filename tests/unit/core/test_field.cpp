@@ -11,8 +11,6 @@
 #include "core/errors.hpp"
 #include "core/field.hpp"
 #include "core/simd.hpp"
-#include "core/spans.hpp"
-#include "core/store_lines.hpp"
 #include "core/timer.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_core_field)
@@ -100,39 +98,6 @@ BOOST_AUTO_TEST_CASE(copies_are_independent_and_take_the_shape) {
   Field nothing;
   nothing = Field();
   BOOST_TEST(nothing.nodes_x() == 0);
-}
-
-BOOST_AUTO_TEST_CASE(the_one_line_of_a_line_contact_is_stored_on_all_three_and_read_once) {
-  Field field{Patch(line_grid(6, -4.5, 1.5))};
-  const std::vector<double> values{2.0, 3.0, 5.0, 7.0};
-  store_line(values, field, 2);
-  for (int i = 0; i < 7; ++i)
-    for (const double value : field.station(i))
-      BOOST_TEST(value == (i < 2 || i > 5 ? 0.0 : values[std::size_t(i - 2)]));
-  std::vector<double> along(7), first(3);
-  load_line(field, along);
-  load_line(field, first);
-  BOOST_TEST(along == (std::vector<double>{0.0, 0.0, 2.0, 3.0, 5.0, 7.0, 0.0}), boost::test_tools::per_element());
-  BOOST_TEST(first == (std::vector<double>{0.0, 0.0, 2.0}), boost::test_tools::per_element());
-}
-
-// Sums and differences of small integers are exact. The outputs may be the inputs, and an empty one is not written.
-BOOST_AUTO_TEST_CASE(functions_of_registers_set_every_number_of_spans_of_any_length_and_nothing_behind_them) {
-  for (std::size_t length = 0; length <= 3 * std::size_t(lanes) + 1; ++length) {
-    std::vector<double> a(length + 1), b(length + 1), sum(length + 1, -1.0), difference(length + 1, -1.0);
-    for (std::size_t k = 0; k <= length; ++k) a[k] = double(3 * k + 1), b[k] = double(k * k);
-    const auto of = [length](std::vector<double>& values) { return std::span(values).first(length); };
-    const auto both = [](Lanes x, Lanes y) { return std::array{x + y, x - y}; };
-    const std::array<std::span<const double>, 2> in{of(a), of(b)};
-    in_registers(in, std::array{of(sum), of(difference)}, both);
-    bool right = sum[length] == -1.0 && difference[length] == -1.0;
-    for (std::size_t k = 0; k < length; ++k) right = right && sum[k] == a[k] + b[k] && difference[k] == a[k] - b[k];
-    BOOST_TEST(right);
-    in_registers(in, std::array{of(a), std::span<double>()}, both);
-    in_registers(of(b), of(b), [](Lanes y) { return 2.0 * y; });
-    for (std::size_t k = 0; k < length; ++k) right = right && a[k] == sum[k] && b[k] == 2.0 * double(k * k);
-    BOOST_TEST(right);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(fields_of_a_line_contact_have_no_padding_and_are_copied_to_those_that_have) {
