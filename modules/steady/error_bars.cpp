@@ -55,7 +55,7 @@ MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
 bool settles(const Tuning& tuning, const std::vector<double>& P) {
   const std::size_t n = P.size();
   const double before = std::abs(P[n - 2] - P[n - 3]);
-  return std::abs(P[n - 1] - P[n - 2]) <= tuning.pressure_falls * before;
+  return std::abs(P[n - 1] - P[n - 2]) <= std::max(tuning.pressure_falls * before, tuning.pressure_at_rest * P[n - 1]);
 }
 
 /// A hidden spike: the pressure at the rim is below a share of the plateau, about as in the dry contact, but ln eta_bar

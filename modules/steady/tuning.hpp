@@ -87,6 +87,7 @@ struct Tuning {
 
   // Error bars (error_bars.cpp, observed_errors.cpp, layer_error.cpp, relief.cpp)
   core::Share pressure_falls = 0.7;      ///< last change of a pressure over the one before if it converges
+  core::Share pressure_at_rest = 1e-5;   ///< relative change that always counts as converged [bench: pressure_falls]
   core::Positive may_rise_by = 4.0;      ///< further growth of an unsettled spike over its last growth
   core::Positive order_of_P_max = 1.5;   ///< assumed order of convergence of P_max
   core::Share rim_without_spike = 0.85;  ///< pressure at the rim over the maximum without a spike [bench: solid_at_rim]

@@ -11,6 +11,7 @@
 #include "core/errors.hpp"
 #include "core/field.hpp"
 #include "core/simd.hpp"
+#include "core/store_lines.hpp"
 #include "core/timer.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_core_field)
@@ -98,6 +99,20 @@ BOOST_AUTO_TEST_CASE(copies_are_independent_and_take_the_shape) {
   Field nothing;
   nothing = Field();
   BOOST_TEST(nothing.nodes_x() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_one_line_of_a_line_contact_is_stored_on_all_three_and_read_once) {
+  Field field{Patch(line_grid(6, -4.5, 1.5))};
+  const std::vector<double> values{2.0, 3.0, 5.0, 7.0};
+  store_line(values, field, 2);
+  for (int i = 0; i < 7; ++i)
+    for (const double value : field.station(i))
+      BOOST_TEST(value == (i < 2 || i > 5 ? 0.0 : values[std::size_t(i - 2)]));
+  std::vector<double> along(7), first(3);
+  load_line(field, along);
+  load_line(field, first);
+  BOOST_TEST(along == (std::vector<double>{0.0, 0.0, 2.0, 3.0, 5.0, 7.0, 0.0}), boost::test_tools::per_element());
+  BOOST_TEST(first == (std::vector<double>{0.0, 0.0, 2.0}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(fields_of_a_line_contact_have_no_padding_and_are_copied_to_those_that_have) {

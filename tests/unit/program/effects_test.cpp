@@ -61,9 +61,9 @@ std::vector<std::string> example_of(const std::vector<program::Effect>& all, con
 BOOST_AUTO_TEST_SUITE(test_program_effects)
 
 BOOST_AUTO_TEST_CASE(a_section_belongs_to_every_deck_or_to_one_effect) {
-  const std::set<std::string> of_every_deck{"case", "contact",        "motion",      "lubricant", "domain",
-                                            "grid", "discretization", "deformation", "multigrid", "continuation",
-                                            "dry",  "output",         "bearing",     "gear",      "tuning"};
+  const std::set<std::string> of_every_deck{
+      "case",         "contact", "motion", "lubricant", "domain", "grid", "discretization", "deformation", "multigrid",
+      "continuation", "dry",     "output", "bearing",   "gear",   "cam",  "stroke",         "impact",      "tuning"};
   const std::vector<program::Effect> all = program::effects();
   for (const deck::Section& section : program::catalogue().sections) {
     std::vector<std::string> owners;
