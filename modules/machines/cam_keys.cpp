@@ -117,14 +117,20 @@ CourseState course_state(const Cam& cam, double angle, double omega, double face
           state.u2};
 }
 
-// Reports a state in which cam and tappet cannot touch.
-void check_states(const deck::Part& cam, const std::vector<CourseState>& states) {
+// Reports a state in which cam and tappet cannot touch, and a lift whose radius of curvature is not known.
+void check_states(const deck::Part& cam, const std::vector<CourseState>& states, double error_of_curvature) {
+  constexpr double most_error = 0.2;
   const CourseState& sharpest = std::ranges::min(states, {}, &CourseState::radius_x);
   const CourseState& lightest = std::ranges::min(states, {}, &CourseState::load);
   if (!(sharpest.radius_x > 0.0))
     cam.complain("lift", fmt::format("{}: the radius of curvature is {:.4g} m, and a flat tappet touches convex flanks "
                                      "only; the base circle is too small, or the lifts have too few digits",
                                      sharpest.place, sharpest.radius_x));
+  else if (error_of_curvature > most_error * sharpest.radius_x)
+    cam.complain("lift",
+                 fmt::format("the second derivative of the lift is uncertain by {:.2g} m, where the least radius of "
+                             "curvature is {:.2g} m: give more digits, or rows closer to each other",
+                             error_of_curvature, sharpest.radius_x));
   if (!(lightest.load > 0.0))
     cam.complain(cam.given("spring_force") ? "spring_force" : "lift",
                  fmt::format("{}: the load is {:.4g} N, so the tappet lifts off: use a stronger spring, less mass or a "
@@ -153,7 +159,7 @@ Contact read_cam(const deck::Part& part) {
     const double share = static_cast<double>(k) / count;
     states.push_back(course_state(cam, start + (k < count ? share : 0.0) * revolution, omega, width, share * period));
   }
-  check_states(part, states);
+  check_states(part, states, error_of_second(cam));
   if (!part.deck.errors.empty()) return contact;
   contact.course = course_of(states);
 

@@ -1,4 +1,5 @@
 // Keys of [impact], and the numbers that follow from them.
+#include <algorithm>
 #include <cmath>
 
 #include "contact/hertz.hpp"
@@ -52,6 +53,7 @@ Contact read_impact(const deck::Part& part) {
   const contact::Hertz of_newton = contact::hertz(1.0, shape.radius, shape.E_prime, shape.shape);
   const DryImpact dry = dry_impact(given.mass, given.velocity, of_newton.approach);
   const contact::Hertz largest = contact::hertz(dry.load, shape.radius, shape.E_prime, shape.shape);
+  const double widest = std::max(shape.radius, shape.radius / shape.shape.radius_ratio);
   contact.numbers = {
       {"energy", 0.5 * given.mass * given.velocity * given.velocity, "J", "mass velocity^2/2"},
       {"load", dry.load, "N", "largest load of the dry impact: mass velocity^2/2 = (2/5) load approach (Hertz)"},
@@ -59,6 +61,9 @@ Contact read_impact(const deck::Part& part) {
       {"dry_duration", dry.duration, "s", "time of contact of the dry impact, 2.943 approach/velocity (Hertz)"},
       {"reference_speed", largest.a * given.velocity / dry.approach, "m/s",
        "a velocity/approach: the scale of time is approach/velocity"},
+      {"reach", std::max(4.0, 3.0 * std::sqrt(2.0 * widest * given.gap) / largest.a), "a",
+       "half side of the domain: 3 sqrt(2 R gap), within which the oil carries 81 % of the first squeeze force between "
+       "rigid bodies; at least 4"},
       {"end_time", given.gap / given.velocity + 1.5 * dry.duration, "s", "gap/velocity + 1.5 dry_duration"}};
   return contact;
 }

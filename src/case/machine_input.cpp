@@ -1,5 +1,7 @@
 #include "case/machine_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -105,9 +107,9 @@ void compute_impact(deck::Deck& deck, const machines::Contact& machine) {
   set("body", "mass_kg", deck::number(deck, section, "mass"), "mass");
   set("body", "gap_m", deck::number(deck, section, "gap"), "gap");
   set("body", "velocity_mps", -deck::number(deck, section, "velocity"), "velocity");
-  constexpr double far = 4.0;  // Hertz radii
+  const double far = number_of(machine, "reach");
   for (const auto& [name, value] : {std::pair{"x_inlet", -far}, {"x_outlet", far}, {"y_half", far}})
-    set("domain", name, value, "an impact squeezes the oil to all sides");
+    set("domain", name, value, "reach, to all sides");
 }
 
 // [transient] cycle = machine: the run ends after one course.
@@ -117,8 +119,14 @@ void compute_course(deck::Deck& deck, const machines::Contact& machine) {
     compute(deck, "transient", "time_unit", "seconds", machine.section, "the course is in seconds");
   if (!machine.repeats)
     transient.fill("cycle_repeats", std::string("off"), "the course of [" + machine.section + "] does not repeat");
-  if (transient.given("end_time")) return;
   const double end = machine.course ? machine.course->rows.back().values[0] : core::unknown;
+  if (transient.given("end_time")) {
+    if (!machine.repeats && transient.word("time_unit") == "seconds" &&
+        transient.number("end_time") > end * (1.0 + 1e-9))
+      transient.complain("end_time", fmt::format("the course of [{}] ends at {:.5g} s: give at most this, or remove it",
+                                                 machine.section, end));
+    return;
+  }
   compute(deck, "transient", "end_time", end, machine.section, "one course");
 }
 

@@ -154,7 +154,7 @@ void check_memory(Case& input) {
   deck::Deck& deck = input.deck;
   const double needed = with_effects(input, basic_needs(input.scene)).bytes;
   const double available = usable_memory();
-  if (needed <= available) return;
+  if (!(needed > available)) return;
   const std::string has = "the machine has " + deck::shortest(std::round(available / giga)) + " GB";
   const double basic = basic_needs(input.scene).bytes;
   for (const Effect& effect : effects_of(input)) {

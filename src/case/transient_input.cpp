@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/ellipse.hpp"
 #include "core/constants.hpp"
 
 namespace ehl::program {
@@ -59,6 +60,39 @@ void check_geometry(deck::Deck& deck, const Physics& physics, const transient::I
     domain.complain("far_field", "closed is not available with " + what + ": set zero, or remove it");
 }
 
+// Refuses a contact that grows out of its domain during the run: its half width follows (F R_x)^(1/3), that of a line
+// contact (F R_x)^(1/2).
+void check_reach(deck::Deck& deck, const contact::Ellipse& shape, const transient::Input& input,
+                 const core::Grid& grid) {
+  double largest = 0.0, at = 0.0;
+  const auto look = [&](double T) {
+    const double size = transient::value(input.conditions.load, T) * transient::value(input.conditions.radius, T);
+    if (size <= largest) return;
+    largest = size;
+    at = T;
+  };
+  constexpr int samples = 1000;
+  for (int k = 0; k <= samples; ++k) look(input.parameters.end * k / samples);
+  for (const transient::Schedule* one : {&input.conditions.load, &input.conditions.radius})
+    for (const transient::Schedule::Point& point : one->points)
+      if (point.T >= 0.0 && point.T <= input.parameters.end) look(point.T);
+  const double radius = transient::value(input.conditions.radius, at);
+  const contact::Ellipse then =
+      contact::line(shape) || radius == 1.0 ? shape : contact::ellipse(radius * shape.radius_ratio);
+  const double length = contact::line(shape) ? std::sqrt(largest) : std::cbrt(largest) * then.a / shape.a;
+  const contact::Extent reach = contact::extent(then);
+  const double X = reach.X * length, Y = reach.Y * length;
+  const bool wide_enough = contact::line(shape) || grid.Y_b > Y;
+  if (-grid.X_a > X && grid.X_b > X && wide_enough) return;
+  const deck::Part transient{deck, "transient"};
+  transient.complain(
+      transient.given("cycle") ? "cycle" : "load",
+      fmt::format("the contact grows to {:.3g} Hertz radii at time {:.4g}, beyond its domain: let [domain] reach from "
+                  "x_inlet = {:.3g} to x_outlet = {:.3g}",
+                  X, at / (input.in_seconds ? input.second : 1.0), grid.X_a * length, grid.X_b * length) +
+          (wide_enough ? "" : fmt::format(", and to y_half = {:.3g}", grid.Y_b * length)));
+}
+
 }  // namespace
 
 std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
@@ -72,7 +106,11 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
   transient::Input input = transient::read(deck, scales_of(physics), carried, grid, course_of(machine));
-  if (std::isfinite(input.parameters.end)) check_geometry(deck, physics, input);
+  if (std::isfinite(input.parameters.end)) {
+    check_geometry(deck, physics, input);
+    if (!input.conditions.body && grid.nx > 0 && deck.errors.empty())
+      check_reach(deck, physics.groups.shape, input, grid);
+  }
   if (input.mode != transient::Mode::in_time && deck::called_for(deck, "thermal"))
     deck::complain(deck, "transient", "mode", "the quasi-steady states have no heat: set in_time, or remove [thermal]");
   if (input.mode == transient::Mode::quasi_steady)

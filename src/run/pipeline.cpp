@@ -136,7 +136,9 @@ Ending ending_of(const Computed& computed, const std::string& to_go_on) {
     message += ", before the first step";
   else if (!in_time->checkpoint)
     message +=
-        ", without a checkpoint, which runs with [thermal] and quasi-steady states do not keep: run the deck again";
+        ", without a checkpoint, which runs with [thermal] or [shear] flow = on and quasi-steady states do not keep: "
+        "run "
+        "the deck again";
   else if (!to_go_on.empty())
     message += "; continue with `" + to_go_on + "`";
   return {interrupted, message};

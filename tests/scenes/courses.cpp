@@ -66,7 +66,7 @@ const std::string gear =
 const std::string stroke =
     "[case]\nkind = reciprocating\n[stroke]\nlength = 4e-3\nfrequency = 10\n[contact]\nload = 10\nradius_x = 0.01\n";
 const std::string impact =
-    "[case]\nkind = impact\n[impact]\nmass = 0.0329\nvelocity = 0.1\ngap = 20e-6\n[contact]\nradius_x = 0.01\n";
+    "[case]\nkind = impact\n[impact]\nmass = 0.0329\nvelocity = 0.1\ngap = 2e-6\n[contact]\nradius_x = 0.01\n";
 
 }  // namespace
 
@@ -188,6 +188,14 @@ BOOST_AUTO_TEST_CASE(wrong_machines_in_time_are_refused) {
   folder.write("lift.csv", eccentric_lift());
   folder.write("open.csv", "angle,lift [mm]\n0,0\n10,1\n20,2\n30,3\n40,3\n50,3\n60,3\n70,3\n80,2\n");
   folder.write("rough.csv", "angle,lift [mm]\n0,0\n1,0\n2,0.1\n3,0.1\n4,0.3\n5,0.3\n6,0.1\n7,0.1\n8,0\n");
+  // The lift of the eccentric disc, rounded to 0.05 mm.
+  std::string rounded = "angle [deg];lift [mm]\n";
+  char row[80];
+  for (int k = 0; k <= 360; k += 2) {
+    std::snprintf(row, sizeof row, "%d;%.2f\n", k, 0.05 * std::round(100.0 * (1.0 - std::cos(k * degree))));
+    rounded += row;
+  }
+  folder.write("rounded.csv", rounded);
   const std::string time = "[transient]\ncycle = machine\n";
   std::string heavy = cam, straight = gear;
   heavy.replace(heavy.find("mass = 0.4"), 10, "mass = 50");
@@ -217,9 +225,17 @@ BOOST_AUTO_TEST_CASE(wrong_machines_in_time_are_refused) {
       {"an impact of coated bodies",
        impact + oil + "[contact]\ncoating1_E = 1e11\ncoating1_nu = 0.3\ncoating1_thickness = 1e-6\n",
        {"coating1_E", "impact"}},
+      {"a contact that grows out of its domain",
+       gear + "position = 0.05\n" + oil + time,
+       {"cycle", "grows to", "x_outlet"}},
+      {"a load that grows too much",
+       "[contact]\nM = 20\nL = 5\n[lubricant]\nalpha = 2e-8\n[transient]\nend_time = 2\nload = 0:1 1:6\n",
+       {"load", "1.82 Hertz radii"}},
+      {"teeth that are out of mesh", gear + oil + time + "end_time = 4e-3\n", {"end_time", "[gear]"}},
       {"an impact without modulus", impact + "[lubricant]\neta0 = 0.02\nalpha = 2e-8\n", {"E_prime"}}};
   for (const auto& slip : slips) support::check_refused(folder, {slip.name, slip.deck, slip.parts});
-  for (const auto& [file, part] : {std::pair{"open.csv", "must be 0"}, {"rough.csv", "convex"}}) {
+  for (const auto& [file, part] :
+       {std::pair{"open.csv", "must be 0"}, {"rough.csv", "convex"}, {"rounded.csv", "digits"}}) {
     std::string deck = cam + oil;
     deck.replace(deck.find("lift.csv"), 8, file);
     support::check_refused(folder, {file, deck, {"lift", part}});
