@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/slopes.hpp"
 #include "rheology/elementary.hpp"
 #include "rheology/thinned_by_flow.hpp"
 #include "thermal/film_columns.hpp"
@@ -15,18 +16,6 @@ using core::broadcast;
 
 // Lower bound of the filled share of the gap, by which columns are divided.
 constexpr double least_oil = 1e-4;
-
-// d/dX or d/dY, by central differences; one-sided at the boundary.
-double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool along) {
-  if (along) {
-    const int west = std::max(i - 1, 0), east = std::min(i + 1, patch.nx);
-    return (P(east, j) - P(west, j)) / ((east - west) * patch.hx());
-  }
-  const bool mirror = patch.north == core::Edge::mirror && j == patch.ny;
-  if (mirror) return 0.0;
-  const int south = std::max(j - 1, 0), north = std::min(j + 1, patch.ny);
-  return (P(i, north) - P(i, south)) / ((north - south) * patch.hy());
-}
 
 }  // namespace
 
@@ -83,8 +72,8 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
     for (int j = 0; j <= patch.ny; ++j) {
-      P_X_(i, j) = slope(patch, P_, i, j, true);
-      P_Y_(i, j) = slope(patch, P_, i, j, false);
+      P_X_(i, j) = core::slope_X(P_, patch.nx, patch.hx(), i, j);
+      P_Y_(i, j) = core::slope_Y(patch, P_, i, j);
     }
   }
   if (in_time_) take_rate_of_pressure();

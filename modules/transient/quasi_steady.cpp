@@ -68,21 +68,20 @@ Frame frame_of(const StateScene& state, const steady::Solution& found, const Dri
 
 }  // namespace
 
+DryContact dry_contact(const contact::Ellipse& before, double load, double radius) {
+  if (contact::line(before)) return {before, std::sqrt(load * radius), std::sqrt(load / radius)};
+  const contact::Ellipse shape = radius == 1.0 ? before : contact::ellipse(radius * before.radius_ratio);
+  return {shape, std::cbrt(load * radius) * shape.a / before.a,
+          std::cbrt(load / (radius * radius)) * shape.p_h / before.p_h};
+}
+
 StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, double T) {
   const Drive drive = drive_at(conditions, T);
   const double radius = value(conditions.radius, T);
-  const contact::Ellipse& before = scene.contact.shape;
-  StateScene state{.scene = scene};
-  contact::Ellipse shape = before;
-  if (contact::line(before)) {
-    state.length = std::sqrt(drive.load * radius);
-    state.pressure = std::sqrt(drive.load / radius);
-  } else {
-    if (radius != 1.0) shape = contact::ellipse(radius * before.radius_ratio);
-    state.length = std::cbrt(drive.load * radius) * shape.a / before.a;
-    state.pressure = std::cbrt(drive.load / (radius * radius)) * shape.p_h / before.p_h;
-  }
-  state.film = state.length * state.length / radius;
+  const DryContact dry = dry_contact(scene.contact.shape, drive.load, radius);
+  const contact::Ellipse& shape = dry.shape;
+  StateScene state{
+      .scene = scene, .length = dry.length, .film = dry.length * dry.length / radius, .pressure = dry.pressure};
   steady::Scene& own = state.scene;
   const double M = moes_load(scene, drive, radius);
   const double L = scene.contact.L * std::pow(std::abs(drive.speed) / radius, 0.25);

@@ -4,6 +4,14 @@
 
 namespace ehl::transient {
 
+/// The dry contact under another load and radius R_x, both over those before; R_y stays the same.
+struct DryContact {
+  contact::Ellipse shape;
+  double length;    ///< a over that before
+  double pressure;  ///< p_h likewise
+};
+DryContact dry_contact(const contact::Ellipse& before, double load, double radius);
+
 /// The steady contact under the load, the radius and the speed |U| at T, and the factors that turn its units into those
 /// of the given scene. The grid has the same nodes.
 struct StateScene {

@@ -58,15 +58,13 @@ std::string cost(const Needs& more) {
   return text + " more";
 }
 
-bool adds_something(const InSteps& own) { return own.coupling || !own.numbers.empty() || !own.fields.empty(); }
-
 // The stages at which the pipeline calls the effect.
 std::string stages_text(const Case& input, const Effect& effect) {
   std::vector<std::string> texts;
   if (effect.stages.scene) texts.push_back("in the scene that is solved");
   if (effect.stages.film && effect.stages.film(input)) texts.push_back("by equations that are solved with the film");
   if (effect.stages.in_time) texts.push_back("by a run in time from the steady contact");
-  if (effect.stages.in_steps && input.transient && adds_something(effect.stages.in_steps(input)))
+  if (effect.stages.in_steps && input.transient && !effect.stages.in_steps(input).empty())
     texts.push_back("at every step in time");
   if (effect.stages.after_solution) texts.push_back("after the solution");
   return texts.empty() ? "" : "acts " + deck::joined(texts, " and ") + ", ";

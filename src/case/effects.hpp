@@ -58,6 +58,7 @@ struct InSteps {
   std::optional<transient::Coupling> coupling{};  ///< of one effect that changes the coefficients
   std::vector<results::NamedField> fields{};      ///< of the frames; without values
   std::function<std::vector<core::Field>(const transient::Snapshot& state)> measure_fields{};
+  bool empty() const { return !coupling && numbers.empty() && fields.empty(); }
 };
 
 /// Solves the film of a case into computed.solution.

@@ -41,7 +41,7 @@ InSteps in_steps_of(const Case& input, std::map<std::string, double>* seconds) {
   for (const Effect& effect : effects_of(input)) {
     if (!effect.stages.in_steps) continue;
     const InSteps own = effect.stages.in_steps(input);
-    if (!own.coupling && own.numbers.empty() && own.fields.empty()) continue;
+    if (own.empty()) continue;
     double* of_effect = seconds == nullptr ? nullptr : &(*seconds)[effect.name];
     all.numbers.insert(all.numbers.end(), own.numbers.begin(), own.numbers.end());
     all.fields.insert(all.fields.end(), own.fields.begin(), own.fields.end());

@@ -56,10 +56,16 @@ void refuse_what_follows(deck::Deck& deck, const machines::Contact& machine) {
   }
 }
 
-// A number of the machine; NaN after an error.
-double number_of(const machines::Contact& machine, const std::string& name) {
+// A number of the machine; nullptr if it has none of this name.
+const machines::Number* find_number(const machines::Contact& machine, const std::string& name) {
   const auto number = std::ranges::find(machine.numbers, name, &machines::Number::name);
-  return number == machine.numbers.end() ? core::unknown : number->value;
+  return number == machine.numbers.end() ? nullptr : &*number;
+}
+
+// NaN after an error.
+double number_of(const machines::Contact& machine, const std::string& name) {
+  const machines::Number* number = find_number(machine, name);
+  return number == nullptr ? core::unknown : number->value;
 }
 
 // Load, radii and speeds.
@@ -82,8 +88,7 @@ void compute_contact(deck::Deck& deck, const machines::Contact& machine, const s
                                    {"contact", "radius_y"},
                                    {"motion", "u1"},
                                    {"motion", "u2"}})
-    if (const auto number = std::ranges::find(machine.numbers, name, &machines::Number::name);
-        number != machine.numbers.end())
+    if (const machines::Number* number = find_number(machine, name))
       compute(deck, part, name, number->value, section, number->formula);
 }
 

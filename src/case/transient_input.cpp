@@ -6,6 +6,7 @@
 
 #include "contact/ellipse.hpp"
 #include "core/constants.hpp"
+#include "transient/quasi_steady.hpp"
 
 namespace ehl::program {
 
@@ -76,12 +77,10 @@ void check_reach(deck::Deck& deck, const contact::Ellipse& shape, const transien
   for (const transient::Schedule* one : {&input.conditions.load, &input.conditions.radius})
     for (const transient::Schedule::Point& point : one->points)
       if (point.T >= 0.0 && point.T <= input.parameters.end) look(point.T);
-  const double radius = transient::value(input.conditions.radius, at);
-  const contact::Ellipse then =
-      contact::line(shape) || radius == 1.0 ? shape : contact::ellipse(radius * shape.radius_ratio);
-  const double length = contact::line(shape) ? std::sqrt(largest) : std::cbrt(largest) * then.a / shape.a;
-  const contact::Extent reach = contact::extent(then);
-  const double X = reach.X * length, Y = reach.Y * length;
+  const transient::DryContact then = transient::dry_contact(shape, transient::value(input.conditions.load, at),
+                                                            transient::value(input.conditions.radius, at));
+  const contact::Extent reach = contact::extent(then.shape);
+  const double length = then.length, X = reach.X * length, Y = reach.Y * length;
   const bool wide_enough = contact::line(shape) || grid.Y_b > Y;
   if (-grid.X_a > X && grid.X_b > X && wide_enough) return;
   const deck::Part transient{deck, "transient"};

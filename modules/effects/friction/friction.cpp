@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/slopes.hpp"
 #include "core/timer.hpp"
 #include "effects/friction/beyond.hpp"
 
@@ -37,12 +38,6 @@ bool oil_reaches_corners(const Film& film, double meniscus) {
     for (const double Y : {film.grid.Y_a, film.grid.Y_b})
       if (share_of_oil(film, meniscus, 1.01 * X, 1.01 * Y) < 1.0) return false;
   return true;
-}
-
-// dP/dX at a node.
-double slope_of_P(const Film& film, int i, int j) {
-  const int west = std::max(i - 1, 0), east = std::min(i + 1, film.grid.nx);
-  return (film.P(east, j) - film.P(west, j)) / ((east - west) * film.grid.hx());
 }
 
 // 1/eta_y, evaluated for a few columns (constant X) at once where these are short, as in a line contact.
@@ -136,7 +131,8 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       }
       tau *= oil;
       result.sliding += w * tau;
-      const double rolling = oil * 0.5 * parameters.slope * H * slope_of_P(film, i, j);
+      const double rolling =
+          oil * 0.5 * parameters.slope * H * core::slope_X(film.P, film.grid.nx, film.grid.hx(), i, j);
       if (parameters.keep_tau1) result.tau1(i, j) = -tau - rolling;
       if (parameters.keep_tau2) result.tau2(i, j) = tau - rolling;
       if (i < grid.nx) {

@@ -4,23 +4,13 @@
 #include <cmath>
 #include <span>
 
+#include "core/slopes.hpp"
 #include "rheology/thinned_by_flow.hpp"
 
 namespace ehl::heat {
 namespace {
 
 using core::Lanes;
-
-// d/dX or d/dY, by central differences; one-sided at the boundary.
-double slope_X(const core::Patch& grid, const core::Field& P, int i, int j) {
-  const int west = std::max(i - 1, 0), east = std::min(i + 1, grid.nx);
-  return (P(east, j) - P(west, j)) / ((east - west) * grid.hx());
-}
-double slope_Y(const core::Patch& grid, const core::Field& P, int i, int j) {
-  if (grid.domain.line || (grid.north == core::Edge::mirror && j == grid.ny)) return 0.0;
-  const int south = std::max(j - 1, 0), north = std::min(j + 1, grid.ny);
-  return (P(i, north) - P(i, south)) / ((north - south) * grid.hy());
-}
 
 // Film and flow at as many nodes as a register has lanes.
 struct Batch {
@@ -89,8 +79,8 @@ transient::FilmFactors FlowInTime::respond(double T, const core::Patch& grid, co
       const int node = std::min(first + lane, nodes - 1), i = node / per_column, j = line ? 1 : node % per_column;
       at.P[lane] = P(i, j);
       at.H[lane] = std::max(H(i, j), rheology::least_film);
-      at.P_X[lane] = slope_X(grid, P, i, j);
-      at.P_Y[lane] = slope_Y(grid, P, i, j);
+      at.P_X[lane] = core::slope_X(P, grid.nx, grid.hx(), i, j);
+      at.P_Y[lane] = core::slope_Y(grid, P, i, j);
       at.more_x[lane] = more_x(i, j);
       at.more_y[lane] = more_y(i, j);
       at.before.along[lane] = along_(i, j);

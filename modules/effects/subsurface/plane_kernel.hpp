@@ -12,7 +12,7 @@
 namespace ehl::subsurface {
 
 /// Columns that are transformed together, and their real and imaginary parts.
-inline constexpr int columns_of_block = mlmi::ColumnTransform::columns, block_doubles = 2 * columns_of_block;
+inline constexpr int columns_of_block = mlmi::ColumnTransform::columns, block_doubles = mlmi::ColumnTransform::doubles;
 
 /// Lengths of zero-padded transforms over the nodes of a plane. A spectrum has length_x rows of `stride` doubles,
 /// complex numbers of the wave numbers 0..length_y/2 along y.
