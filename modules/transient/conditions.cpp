@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "transient/nodes.hpp"
-
 namespace ehl::transient {
 namespace {
 
@@ -28,24 +26,21 @@ Drive drive_at(const Conditions& conditions, double T) {
           .speed = 0.5 * (u1 + u2),
           .load_rate = (load - value(conditions.load, T - a_little)) / a_little,
           .supply = supply_at(conditions.supply, T, u1, u2),
-          .sliding = std::abs(u1 - u2)};
+          .sliding = std::abs(u1 - u2),
+          .radius = value(conditions.radius, T)};
 }
 
 std::array<const Schedule*, 5> schedules_of(const Conditions& conditions) {
   return {&conditions.load, &conditions.u1, &conditions.u2, &conditions.radius, &conditions.supply.factor};
 }
 
-Course course_of(const Conditions& conditions, double gap_XX) {
+Course course_of(const Conditions& conditions) {
   Course course;
   course.body = conditions.body;
-  const bool bends = !conditions.radius.points.empty();
-  if (conditions.on_1 || conditions.on_2 || bends)
-    course.surface = [&conditions, bends, gap_XX](const core::Patch& grid, double T, core::Field& S) {
+  course.bends = !conditions.radius.points.empty();
+  if (conditions.on_1 || conditions.on_2)
+    course.surface = [&conditions](const core::Patch& grid, double T, core::Field& S) {
       S.fill(0.0);
-      if (bends) {
-        const double XX = gap_XX * (1.0 / value(conditions.radius, T) - 1.0);
-        for_nodes(grid, [&](int i, int j, std::size_t) { S(i, j) = XX * grid.X(i) * grid.X(i); });
-      }
       if (conditions.on_1) surface::add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
       if (conditions.on_2) surface::add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
     };

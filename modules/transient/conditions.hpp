@@ -38,13 +38,12 @@ struct Conditions {
   Tuning tuning{};
 };
 
-/// Load, entrainment speed and supply factor at T.
+/// Load, speeds, supply factor and radius at T.
 Drive drive_at(const Conditions& conditions, double T);
 
-/// The moving surfaces, each displaced by the integral of its own speed, and the body. A radius that varies adds
-/// gap_XX (1/radius - 1) X^2 to the gap. in: gap_XX, the coefficient of X^2 in the scene's gap. The conditions must
-/// outlive the result.
-Course course_of(const Conditions& conditions, double gap_XX = 0.5);
+/// The moving surfaces, each displaced by the integral of its own speed, and the body. The conditions must outlive the
+/// result.
+Course course_of(const Conditions& conditions);
 
 /// All schedules, for what is asked of each.
 std::array<const Schedule*, 5> schedules_of(const Conditions& conditions);
@@ -57,7 +56,7 @@ bool symmetric(const Conditions& conditions);
 std::vector<double> stops_of(const Conditions& conditions, double end,
                              double period = std::numeric_limits<double>::quiet_NaN());
 
-/// True if load, speed or supply jumps at T.
+/// True if load, speed, radius or supply jumps at T.
 bool jumps_at(const Conditions& conditions, double T, double end);
 
 /// Longest time step that resolves everything that varies: a quarter of the time in which a feature moves by its width

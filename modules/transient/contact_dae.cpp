@@ -76,11 +76,22 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   if (control_.coupling) take_factors(control_.coupling->predict(T));
   level.role = multigrid::Role::solved;
   level.scheme = multigrid::scheme_of(hierarchy_.problem);
-  if (course_.surface) course_.surface(level.grid, T, level.F);
-  if (course_.surface && reversed_) mirror_in_X(level.grid, level.F);
+  pose_gap(T, drive);
   if (!conserves_mass()) return;
   hierarchy_.supply_factor = drive.supply;
   multigrid::supply_oil(hierarchy_, level);
+}
+
+// What reliefs and a varying radius add to the gap, gap_XX (1/radius - 1) X^2 for the radius.
+void ContactDae::pose_gap(double T, const Drive& drive) {
+  const core::Patch& grid = hierarchy_.finest().grid;
+  core::Field& F = hierarchy_.finest().F;
+  if (course_.surface) course_.surface(grid, T, F);
+  if (course_.surface && reversed_) mirror_in_X(grid, F);
+  if (!course_.bends) return;
+  if (!course_.surface) F.fill(0.0);
+  const double XX = hierarchy_.problem.geometry.gap.XX * (1.0 / drive.radius - 1.0);
+  for_nodes(grid, [&](int i, int j, std::size_t) { F(i, j) += XX * grid.X(i) * grid.X(i); });
 }
 
 double ContactDae::take_factors(const FilmFactors& factors) {

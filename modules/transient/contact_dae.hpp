@@ -22,13 +22,15 @@ struct Drive {
   double load_rate = 0.0;  ///< d load/dT before T, for the far field
   double supply = 1.0;     ///< oil supplied at the inlet, over that of the problem
   double sliding = 0.0;    ///< |u1 - u2| over u_m
+  double radius = 1.0;     ///< R_x over that from which the groups are made; R_y stays the same
 };
 
 /// Surfaces and body of the contact, as functions of T = t u_m/a.
 struct Course {
-  /// Writes S(X, Y, T), the height that the moving surfaces add to the gap, in units of a^2/R. Ghost nodes need not be
-  /// set. Empty: smooth surfaces.
+  /// Writes S(X, Y, T), the height that the reliefs of moving surfaces add to the gap, in units of a^2/R. Ghost nodes
+  /// need not be set. Empty: smooth surfaces.
   std::function<void(const core::Patch& grid, double T, core::Field& S)> surface;
+  bool bends = false;  ///< the radius varies
   /// Moves by its own equation of motion; absent: the film carries the load at all times.
   std::optional<Body> body{};
 };
@@ -147,6 +149,7 @@ class ContactDae {
   void set_known(const Stage& stage);
   void renew_coupling(const Stage& stage, int cycle);
   double stored_share(int i, int j) const { return control_.coupling ? stored_share_(i, j) : 1.0; }
+  void pose_gap(double T, const Drive& drive);
   bool newton_can() const;
   bool balanced_by_cycle(const Stage& stage) const;
   double change(const Stage& stage, double H00_before);

@@ -32,7 +32,8 @@ Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
   return {.load = from.load + share * (to.load - from.load),
           .speed = from.speed + share * (to.speed - from.speed),
           .supply = between(from.supply, to.supply),
-          .sliding = from.sliding + share * (to.sliding - from.sliding)};
+          .sliding = from.sliding + share * (to.sliding - from.sliding),
+          .radius = between(from.radius, to.radius)};
 }
 
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {

@@ -35,7 +35,7 @@ class March {
         parameters_(parameters),
         observer_(observer),
         coupling_(coupling),
-        course_(course_of(conditions, hierarchy.problem.geometry.gap.XX)),
+        course_(course_of(conditions)),
         dae_(hierarchy_, course_,
              {.rtol = parameters.rtol,
               .Q_scale = film_scale(),
@@ -63,8 +63,11 @@ class March {
 
   std::size_t size() const { return dae_.size(); }
 
-  MarchReport run(const Checkpoint* from) {
-    Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_, coupling_);
+  // in: the scene, for the steady solution at T = 0; from, where an earlier run continues, or null.
+  MarchReport run(const steady::Scene& scene, const Checkpoint* from) {
+    const bool released = conditions_.body && conditions_.body->gap;
+    const Drive near = from || released ? Drive{} : begin_with(hierarchy_, dae_, scene, conditions_);
+    Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_, near, coupling_);
     if (from) dae_.set_weight(from->weight);
     // The relaxation multiplies its predicted change of the film by cj, so the prediction must be accurate.
     multigrid::take_line_zero(hierarchy_, line_unit_);
@@ -261,7 +264,7 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
                   own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint belongs to another grid than that of the deck");
-  MarchReport report = under_way.run(from);
+  MarchReport report = under_way.run(scene, from);
   report.times = hierarchy.times;
   report.seconds = core::now() - began;
   return report;

@@ -18,26 +18,26 @@ namespace {
 
 constexpr double unknown = MarchParameters::none;
 
-// M at a time: W (2U)^(-3/4), in a line contact W (2U)^(-1/2). in: radius, R_x over that of the scene.
-double moes_load(const steady::Scene& scene, const Drive& drive, double radius) {
+// M at a time: W (2U)^(-3/4), in a line contact W (2U)^(-1/2).
+double moes_load(const steady::Scene& scene, const Drive& drive) {
   const double speed = std::abs(drive.speed);
-  const double M = scene.contact.M * drive.load;
+  const double M = scene.contact.M * drive.load, radius = drive.radius;
   return contact::line(scene.contact.shape) ? M / std::sqrt(speed * radius)
                                             : M * std::pow(speed, -0.75) * std::pow(radius, -1.25);
 }
 
 // Film between rigid bodies without piezoviscosity, in a^2/R of the scene: h/R (2U)^(-1/2) depends on M alone.
-double rigid_film(const steady::Scene& scene, const Drive& drive, double radius) {
+double rigid_film(const steady::Scene& scene, const Drive& drive) {
   constexpr double exact_of_line = 2.45;
   const contact::Ellipse& shape = scene.contact.shape;
-  const double M = moes_load(scene, drive, radius);
+  const double M = moes_load(scene, drive), radius = drive.radius;
   const double H_moes = contact::line(shape)
                             ? exact_of_line / M
                             : contact::asymptotes(M, 0.0, radius * shape.radius_ratio).rigid_isoviscous;
   return contact::H_from_moes_units(H_moes, scene.contact.M, shape) * std::sqrt(std::abs(drive.speed) * radius);
 }
 
-StepRow row_without_state(const Drive& drive, double T, double radius, std::size_t probes) {
+StepRow row_without_state(const Drive& drive, double T, std::size_t probes) {
   return {.T = T,
           .Hc = unknown,
           .Hm = unknown,
@@ -47,7 +47,7 @@ StepRow row_without_state(const Drive& drive, double T, double radius, std::size
           .H00 = unknown,
           .load = drive.load,
           .speed = drive.speed,
-          .radius = radius,
+          .radius = drive.radius,
           .carried = unknown,
           .probed = std::vector<Probed>(probes, {unknown, unknown})};
 }
@@ -77,13 +77,13 @@ DryContact dry_contact(const contact::Ellipse& before, double load, double radiu
 
 StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, double T) {
   const Drive drive = drive_at(conditions, T);
-  const double radius = value(conditions.radius, T);
+  const double radius = drive.radius;
   const DryContact dry = dry_contact(scene.contact.shape, drive.load, radius);
   const contact::Ellipse& shape = dry.shape;
   StateScene state{
       .scene = scene, .length = dry.length, .film = dry.length * dry.length / radius, .pressure = dry.pressure};
   steady::Scene& own = state.scene;
-  const double M = moes_load(scene, drive, radius);
+  const double M = moes_load(scene, drive);
   const double L = scene.contact.L * std::pow(std::abs(drive.speed) / radius, 0.25);
   own.contact = steady::scales_of(M, L, shape);
   own.lambda = contact::from_moes(M, L, shape).lambda;
@@ -103,6 +103,16 @@ StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, do
   own.observer = {};
   own.adjoint_errors = own.error_maps = false;
   return state;
+}
+
+std::optional<Frame> steady_frame(const steady::Scene& scene, const Conditions& conditions, double T) try {
+  if (scene.surface || conditions.on_1 || conditions.on_2 || !scene.coatings.parts.empty()) return std::nullopt;
+  const StateScene state = scene_at(scene, conditions, T);
+  const steady::Solution found = steady::solve(state.scene);
+  if (!found.converged) return std::nullopt;
+  return frame_of(state, found, drive_at(conditions, T), T);
+} catch (const core::SolverError&) {
+  return std::nullopt;
 }
 
 namespace {
@@ -145,12 +155,11 @@ MarchReport quasi_steady(const steady::Scene& scene, const Conditions& condition
     report.T = T;
     ++report.steps;
     const Drive drive = drive_at(conditions, T);
-    const double radius = value(conditions.radius, T);
-    StepRow row = row_without_state(drive, T, radius, parameters.probes.size());
+    StepRow row = row_without_state(drive, T, parameters.probes.size());
     if (drive.speed == 0.0) {
       ++report.at_rest;
-    } else if (moes_load(scene, drive, radius) < rigid) {
-      row.Hc = row.Hm = rigid_film(scene, drive, radius);
+    } else if (moes_load(scene, drive) < rigid) {
+      row.Hc = row.Hm = rigid_film(scene, drive);
     } else {
       std::string reason;
       try {

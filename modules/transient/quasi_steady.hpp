@@ -23,6 +23,10 @@ struct StateScene {
 /// in: conditions with U(T) != 0.
 StateScene scene_at(const steady::Scene& scene, const Conditions& conditions, double T);
 
+/// The steady solution at T, in the units of the given scene; nullopt if it is not found, or if the scene has surfaces
+/// or coatings, whose sizes scene_at() does not convert. in: conditions with U(T) > 0.
+std::optional<Frame> steady_frame(const steady::Scene& scene, const Conditions& conditions, double T);
+
 /// For each time the steady contact under the load, the radius and the speed |U| of that time, as the row of a run in
 /// time; its fields are a frame. Each is solved by itself, by the steady solver.
 ///   - U = 0: a steady film has no thickness. The row has NaN and is counted in MarchReport::at_rest.

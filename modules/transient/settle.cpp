@@ -6,12 +6,16 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "judgement/measures.hpp"
 #include "multigrid/cycles.hpp"
 #include "multigrid/start.hpp"
 #include "transient/jump.hpp"
+#include "transient/quasi_steady.hpp"
+#include "transient/snapshot.hpp"
 
 namespace ehl::transient {
 namespace {
@@ -34,15 +38,16 @@ double cycles_at_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Dr
   return residual;
 }
 
-// Moves the current state to the steady state at T = 0. returns why that failed; empty if it succeeded.
-std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
+// Moves the current state from one drive to the steady state at T = 0. returns why that failed; empty if it succeeded.
+std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& from, const Drive& start) {
   const Tuning& tuning = dae.tuning();
-  const double distance = std::max(std::abs(start.load - 1.0), std::abs(start.speed - 1.0));
+  const double distance = std::max({std::abs(start.load - from.load), std::abs(start.speed - from.speed),
+                                    std::abs(1.0 / start.radius - 1.0 / from.radius)});
   const int bits = std::max(1, static_cast<int>(std::ceil(distance / tuning.bit_of_start)));
   double residual = 0.0;
   try {
     for (int k = 1; k <= bits; ++k) {
-      const Drive drive = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
+      const Drive drive = part_of_the_way(from, start, static_cast<double>(k) / bits);
       residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? tuning.most_settling_cycles : tuning.cycles_per_bit);
     }
   } catch (const core::SolverError& error) {
@@ -62,18 +67,34 @@ std::string way_to_rest(multigrid::Hierarchy& hierarchy, ContactDae& dae, const 
 
 }  // namespace
 
-void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
+Drive begin_with(multigrid::Hierarchy& hierarchy, ContactDae& dae, const steady::Scene& scene,
+                 const Conditions& conditions) {
+  const Drive start = drive_at(conditions, 0.0);
+  if (start.load == 1.0 && start.speed == 1.0 && start.radius == 1.0) return {};
+  const std::optional<Frame> own = steady_frame(scene, conditions, 0.0);
+  if (!own) return {};
+  multigrid::Level& level = hierarchy.finest();
+  const core::Field P = core::on_patch(level.grid, own->P), H = core::on_patch(level.grid, own->H);
+  multigrid::start_from_state(hierarchy, hierarchy.levels.size() - 1, {P, hierarchy.H00});
+  prepare(hierarchy);
+  dae.pose(0.0, start, 0.0);
+  multigrid::update_film(hierarchy, level);
+  hierarchy.H00 += judgement::value_at(level.grid, H, 0.0, 0.0) - central_film(level);
+  return start;
+}
+
+void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& from, const Drive& start) {
   const std::size_t l = hierarchy.levels.size() - 1;
-  const multigrid::State from = multigrid::state_of(hierarchy, l);
-  std::string reason = way_to_rest(hierarchy, dae, start);
+  const multigrid::State before = multigrid::state_of(hierarchy, l);
+  std::string reason = way_to_rest(hierarchy, dae, from, start);
   // As for the steady solution: stronger damping if the cycles diverge. The time steps keep it.
   const multigrid::Tuning& damping = hierarchy.parameters.tuning;
   while (!reason.empty() && damping.back_off * dae.weight() >= damping.least_all) {
     dae.set_weight(damping.back_off * dae.weight());
-    multigrid::start_from_state(hierarchy, l, from);
+    multigrid::start_from_state(hierarchy, l, before);
     prepare(hierarchy);
     hierarchy.coarsest_weight = 1.0;
-    reason = way_to_rest(hierarchy, dae, start);
+    reason = way_to_rest(hierarchy, dae, from, start);
   }
   if (!reason.empty())
     throw core::SolverError("the steady solution at the start of the run in time was not found: " + reason);
@@ -83,7 +104,8 @@ void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start
 namespace {
 
 // The steady state at T = 0 with an effect on the coefficients, by a fixed-point iteration.
-void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, const Coupling& coupling) {
+void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, Drive from, const Drive& start,
+                     const Coupling& coupling) {
   const multigrid::Level& level = hierarchy.finest();
   const Tuning& tuning = dae.tuning();
   // The factors follow the pressure, of which a residual is left.
@@ -91,7 +113,7 @@ void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Dri
   double change = 0.0;
   for (int pass = 0; pass < tuning.most_settling_cycles; ++pass) {
     change = dae.take_factors(coupling.settle(level.grid, level.P, level.H));
-    settle(hierarchy, dae, start);
+    settle(hierarchy, dae, std::exchange(from, start), start);
     if (change <= tolerance) return;
   }
   throw core::SolverError(
@@ -103,14 +125,14 @@ void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Dri
 }  // namespace
 
 Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions,
-                       const Coupling* coupling) {
+                       const Drive& from, const Coupling* coupling) {
   const Drive drive = drive_at(conditions, 0.0);
   if (conditions.body && conditions.body->gap)
     dae.release(drive);
   else if (coupling)
-    settle_together(hierarchy, dae, drive, *coupling);
+    settle_together(hierarchy, dae, from, drive, *coupling);
   else
-    settle(hierarchy, dae, drive);
+    settle(hierarchy, dae, from, drive);
   dae.begin_oil();
   Checkpoint start;
   start.y.resize(dae.size());

@@ -6,15 +6,20 @@
 
 namespace ehl::transient {
 
-/// Takes the finest level from the steady solution of the scene to the steady state at T = 0, with its load, speed and
-/// surfaces: by increments, to rounding, with exact load.
-/// in: start, the drive at T = 0.
-/// errors: core::SolverError if that state is not found.
-void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
+/// Puts the steady solution at T = 0 on the finest level, solved by itself, if conditions differ from those of the
+/// scene and it is found. returns the drive of the state that the level then holds.
+Drive begin_with(multigrid::Hierarchy& hierarchy, ContactDae& dae, const steady::Scene& scene,
+                 const Conditions& conditions);
 
-/// y and y' at T = 0: the steady state, or a body at its gap.
-/// With an effect on the coefficients both are steady together.
+/// Takes the finest level from the steady state of one drive to that of T = 0, with its load, speed and surfaces: by
+/// increments, to rounding, with exact load.
+/// in: from, the drive of the state that the level holds; start, that at T = 0.
+/// errors: core::SolverError if that state is not found.
+void settle(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Drive& from, const Drive& start);
+
+/// y and y' at T = 0: the steady state, or a body at its gap. With an effect on the coefficients both are steady
+/// together. in: from, the drive of the state that the level holds.
 Checkpoint first_state(multigrid::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions,
-                       const Coupling* coupling);
+                       const Drive& from, const Coupling* coupling);
 
 }  // namespace ehl::transient

@@ -57,6 +57,21 @@ BOOST_AUTO_TEST_CASE(half_the_radius_is_the_contact_of_that_radius) {
   BOOST_TEST(std::abs(before) > 0.05);
 }
 
+// A heavy line contact starts as a pair of teeth does, with a third of the load and of the radius: M and L of that state,
+// whose h is H a^2/R with a third of the scene's a^2/R.
+BOOST_AUTO_TEST_CASE(a_start_with_another_radius_is_the_contact_of_that_radius) {
+  const double third = 1.0 / 3.0, M = 50, L = 10;
+  const steady::Scene scene = roelands_line(M, L, core::line_grid(512, -4.5, 1.5));
+  const steady::LevelRow truth =
+      steady_film(roelands_line(M * std::sqrt(third), L / std::pow(third, 0.25), core::line_grid(512, -13.5, 4.5)));
+  const Conditions conditions{.load = {.points = {{0, third}}}, .radius = {.points = {{0, third}}}};
+  const Marched all = marched(scene, conditions, {.end = 1e-3});
+  BOOST_REQUIRE_MESSAGE(all.report.end == MarchEnd::end_time, all.report.reason);
+  const double start = all.rows.front().Hc / (third * truth.Hc) - 1.0;
+  BOOST_TEST_MESSAGE("Hc at time 0 is off by " << start << " (allowed 1e-4)");
+  BOOST_TEST(std::abs(start) <= 1e-4);
+}
+
 // The user stops while the second state is being solved: the rows end there, and that state is not known.
 BOOST_AUTO_TEST_CASE(a_state_under_way_can_be_stopped) {
   const steady::Scene scene = roelands_line(10, 5, core::line_grid(64, -4.5, 1.5));
