@@ -10,12 +10,18 @@ probes = 0
 quasi = 0
 bends = 0
 heated = 0
+bars = 0
 do for [one in $table_transient[1]] {
   probes = probes + (one[1:2] eq "P_" && one[1:5] ne "P_max")
   quasi = quasi + (one eq "Hc_quasi_steady")
   bends = bends + (one eq "radius_x")
   heated = heated + (one eq "T_film_max")
+  bars = bars + (one eq "error_Hc")
 }
+# The ends of the error bar of a column, which a table has only if the deck asks for it.
+low_end(name) = bars ? column(name) - abs(column(name)) * column("error_".name) : NaN
+high_end(name) = bars ? column(name) + abs(column(name)) * column("error_".name) : NaN
+band = "with filledcurves fs transparent solid 0.2 noborder lc rgb"
 # A column that a table has only with quasi-steady states.
 steady(name) = quasi ? column(name) : NaN
 places = probes > 0 ? system(read."deck | sed -n 's/^probe = //p' | tr ',' '\n' | sed 's/^ *//;s/ *$//;s/  */,/g' | paste -s -d ' '") : ""

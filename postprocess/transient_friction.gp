@@ -23,7 +23,8 @@ set ylabel "μ" offset 1, 0
 eval span(U_min, U_max)
 few(low, high) = alike(low, high) ? "set ytics auto" : sprintf("set ytics %g", 2 * round_step((high - low) / 5))
 eval few(U_min, U_max)
-plot $table_transient using (T(column("time"))):"mu" with lines lw 1 lc rgb blue title "sliding"
+plot for [k = 1:bars] $table_transient using (T(column("time"))):(low_end("mu")):(high_end("mu")) @band blue notitle, \
+     $table_transient using (T(column("time"))):"mu" with lines lw 1 lc rgb blue title "sliding"
 eval panel(2)
 set ylabel "μ_{rolling}" offset 1, 0
 eval span(R_min, R_max)

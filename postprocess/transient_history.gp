@@ -22,7 +22,8 @@ stats $table_transient using "P_max" nooutput prefix "P"
 if (P_max > 0) { set yrange [0:*] } else { set yrange [0:1] }
 set format x panels == 2 ? "%g" : ""
 if (panels == 2) { set xlabel axis_T offset 0, 0.4 }
-plot $table_transient using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
+plot for [k = 1:bars] $table_transient using (T(column("time"))):(low_end("P_max")):(high_end("P_max")) @band red notitle, \
+     $table_transient using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \
      for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("P_max_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" notitle, \
      for [k = 1:probes] $table_transient using (T(column("time"))):(probes > 0 ? column(sprintf("P_%d", k)) : NaN) with lines lw 0.8 \
          lc rgb probe_colour(k) notitle

@@ -114,6 +114,13 @@ struct EffectRow {
   std::string why{};  ///< keys of the deck that enabled it
 };
 
+/// A unit of the contact, "a^2/R", and its SI unit, "m".
+struct InSi {
+  std::string unit{};
+  std::string name{};
+  double factor = 1.0;  ///< from the former to the latter
+};
+
 /// All contents of a result file.
 struct Content {
   std::string title{};
@@ -130,6 +137,7 @@ struct Content {
   Section section{};
   std::vector<Section> more_sections{};
   std::vector<EffectRow> effects{};  ///< empty: no group
+  std::vector<InSi> si{};            ///< units in which the XDMF file is written; empty: those of the contact
 };
 
 }  // namespace ehl::results

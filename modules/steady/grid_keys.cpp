@@ -256,7 +256,8 @@ bool read_far_field(deck::Deck& deck, const Tuning& tuning, const contact::Ellip
   if (steep && domain.given("far_field") && closed(domain))
     domain.complain("far_field",
                     fmt::format("the load of [transient] {}, and far_field = closed allows at most {:g} times the "
-                                "contact's load within a/u_m: set zero",
+                                "contact's load within a/u_m, because the oil outside the domain would carry it by "
+                                "squeeze: set zero",
                                 std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load),
                                 tuning.too_steep));
   if (unsure || !why_zero.empty())

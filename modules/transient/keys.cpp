@@ -38,6 +38,15 @@ deck::Records<MarchParameters> time_records() {
           otherwise("none: the fields of the first and the last time only"),
           "Time between two stored fields of P and H. The values of every step are always stored.",
           remedy("a longer interval keeps fewer fields")),
+      key("start_of_means", &MarchParameters::start_of_means, not_negative, example("4"),
+          otherwise("the start of the last whole period of a cycle, else 0"),
+          "Time from which on extremes and means of a run are taken, for the report and the rows of a sweep. Without "
+          "it the last whole period of a cycle counts, else the whole run."),
+      key("error", words({"on", "off"}), by_default("off"),
+          "on: error bars of Hc, Hm, P_max and mu at every step, and of their extremes and means, from two more runs: "
+          "one on half the cells, and one that also has ten times the tolerance. They cover mesh and time steps, and "
+          "not the size of the domain.",
+          source("modules/transient/README.md")),
   };
 }
 
@@ -111,7 +120,8 @@ void read_states(const deck::Part& transient, double unit, const std::optional<C
   if (input.conditions.on_1 || input.conditions.on_2)
     transient.complain("mode", "in_time is the only mode with [surface1] or [surface2], whose shapes move");
   if (input.mode == Mode::quasi_steady) {
-    for (const char* key : {"rtol", "max_step", "output_interval", "stop_film", "stop_steady", "stop_periodic"})
+    for (const char* key :
+         {"rtol", "max_step", "output_interval", "stop_film", "stop_steady", "stop_periodic", "error"})
       if (transient.given(key))
         transient.complain(key, "has no influence with mode = quasi_steady: remove it, or set mode = both");
     if (cycle && input.parameters.end > cycle->period * (1.0 + rounding))
@@ -187,6 +197,10 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   if (cycle) march.period = cycle->period;
   march.longest_step /= unit;
   march.output_interval /= unit;
+  march.start_of_means /= unit;
+  if (march.start_of_means >= march.end)
+    transient.complain("start_of_means", fmt::format("must be less than end_time = {:g}", march.end * unit));
+  input.error_bars = transient.word("error") == "on";
   march.probes = read_probes(output, grid);
   deck::read(output, output_records(), input);
   if (std::isfinite(march.end)) check_drive(transient, unit, input.conditions, march.end, grid);

@@ -33,6 +33,7 @@ struct Input {
   double second = 0.0;                        ///< one second in a/u_m; NaN if the contact is not in SI
   bool in_seconds = false;                    ///< unit of time of the deck is the second; else a/u_m
   Mode mode = Mode::in_time;
+  bool error_bars = false;       ///< from two more runs
   std::vector<double> states{};  ///< times of the quasi-steady states, if the mode has any
 };
 

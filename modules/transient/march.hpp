@@ -26,6 +26,7 @@ struct MarchParameters {
   double stop_steady = none;      ///< end when Hc, Hm and P_max change by less than this, relative, in a time of 1
   double period = none;           ///< of the conditions; NaN: they do not repeat
   double stop_periodic = none;    ///< end when Hc and Hm change by less than this, relative, from period to period
+  double start_of_means = none;   ///< extremes and means are taken from here on; NaN: see the key of this name
   std::vector<Place> probes{};    ///< where P and H are recorded at every step
 };
 
@@ -49,6 +50,10 @@ struct StepRow {
   double Hc_quasi = MarchParameters::none;  ///< of the quasi-steady state at T, if it is known
   double Hm_quasi = MarchParameters::none;
   double P_max_quasi = MarchParameters::none;
+
+  /// Relative error bars, if they are asked for; NaN where none is known.
+  double error_Hc = MarchParameters::none, error_Hm = MarchParameters::none, error_P_max = MarchParameters::none;
+  double error_mu = MarchParameters::none;
 
   OilInTime oil{};
   std::vector<Probed> probed{};    ///< one entry per probe

@@ -1,6 +1,6 @@
 #include "base/json.hpp"
 
-#include <map>
+#include <algorithm>
 #include <utility>
 
 namespace ehl::program {
@@ -18,13 +18,11 @@ void add(const std::vector<results::Quantity>& quantities, Json& object) {
 
 void add_in_SI(const std::vector<results::Quantity>& quantities, const std::optional<SiScales>& scales, Json& object) {
   if (!scales) return;
-  const std::map<std::string, std::pair<const char*, double>> units{{"p_h", {"_Pa", scales->p_h}},
-                                                                    {"a^2/R", {"_m", scales->h}},
-                                                                    {"a", {"_m", scales->a}},
-                                                                    {"a/u_m", {"_s", scales->time}}};
+  const std::vector<results::InSi> units = plain_units(*scales);
   for (const results::Quantity& one : quantities)
-    if (const auto unit = units.find(one.unit); unit != units.end() && one.json != results::not_in_json)
-      object[Json::json_pointer(path_of(one) + unit->second.first)] = results::number(one.value) * unit->second.second;
+    if (const auto to = std::ranges::find(units, one.unit, &results::InSi::unit);
+        to != units.end() && one.json != results::not_in_json)
+      object[Json::json_pointer(path_of(one) + "_" + to->name)] = results::number(one.value) * to->factor;
 }
 
 void add_warnings(const core::Warnings& warnings, Json& object) {

@@ -25,17 +25,18 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   return {unit, 1.0};
 }
 
+std::vector<results::InSi> plain_units(const SiScales& scales) {
+  return {{"p_h", "Pa", scales.p_h}, {"a^2/R", "m", scales.h}, {"a", "m", scales.a}, {"a/u_m", "s", scales.time}};
+}
+
 Conversion conversion(const std::string& from, const std::string& to) {
   if (from == to) return {};
   const struct {
     const char* from;
     const char* to;
     Conversion by;
-  } all[] = {{"m", "nm", {.divisor = 1e-9}},
-             {"m", "um", {.divisor = 1e-6}},
-             {"Pa", "GPa", {.divisor = 1e9}},
-             {"Pa s", "mPa s", {.factor = 1e3}},
-             {"1/Pa", "1/GPa", {.factor = 1e9}}};
+  } all[] = {{"m", "nm", {.divisor = 1e-9}},  {"m", "um", {.divisor = 1e-6}},     {"s", "ms", {.factor = 1e3}},
+             {"Pa", "GPa", {.divisor = 1e9}}, {"Pa s", "mPa s", {.factor = 1e3}}, {"1/Pa", "1/GPa", {.factor = 1e9}}};
   for (const auto& one : all)
     if (from == one.from && to == one.to) return one.by;
   throw std::logic_error("no conversion from " + from + " to " + to);

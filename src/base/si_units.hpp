@@ -1,8 +1,10 @@
 #pragma once
 // The units that a report uses if the contact is given in SI.
 #include <string>
+#include <vector>
 
 #include "core/constants.hpp"
+#include "results/content.hpp"
 
 namespace ehl::program {
 
@@ -25,6 +27,9 @@ struct SiUnit {
 /// in: a unit of the result file, "a^2/R".
 /// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);
+
+/// The units of fields and places in units without a prefix: Pa, m, s.
+std::vector<results::InSi> plain_units(const SiScales& scales);
 
 /// From an SI unit to one that people read: value * factor / divisor, of which one is 1, so that the bits do not depend
 /// on how a power of ten is rounded.

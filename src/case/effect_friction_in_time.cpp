@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/text_format.hpp"
+#include "case/course_of_run.hpp"
 #include "case/friction_in_time.hpp"
 #include "case/numbers/records.hpp"
 #include "case/sliding_input.hpp"
@@ -15,28 +16,6 @@
 namespace ehl::program {
 
 namespace {
-
-// A number over the time of a run; values that are not known are left out, and all are NaN if there is none.
-struct Extremes {
-  double least = core::unknown, largest = core::unknown;
-  double mean = core::unknown;  ///< over time, by the trapezoidal rule
-};
-
-Extremes extremes_of(const char* name, const TransientResult& run) {
-  const std::vector<double> values = column_of(run, name);
-  Extremes made;
-  double sum = 0.0, time = 0.0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    made.least = std::fmin(made.least, values[k]);
-    made.largest = std::fmax(made.largest, values[k]);
-    if (k == 0 || std::isnan(values[k - 1] + values[k])) continue;
-    const double length = run.rows[k].T - run.rows[k - 1].T;
-    sum += 0.5 * length * (values[k - 1] + values[k]);
-    time += length;
-  }
-  if (time > 0.0) made.mean = sum / time;
-  return made;
-}
 
 numbers::Unit of_power() { return {"F_0 u_m", "F_0' u_m"}; }
 
@@ -73,17 +52,28 @@ Group friction_step_numbers() {
 Group friction_course() {
   Group group{.name = "course of friction"};
   group.on = [](Of s) { return s.computed.in_time.has_value(); };
-  for (const Summarized& one : summarized()) {
-    const std::string name = one.name;
-    const auto add = [&](const std::string& what, double Extremes::*part) {
-      group.numbers.push_back(number(what + "_" + name, one.unit, what + " of the run in time",
-                                     json("in_time/" + name + "/" + what), not_in_file,
-                                     [&one, part](Of s) { return extremes_of(one.name, *s.computed.in_time).*part; }));
-    };
-    add("least", &Extremes::least);
-    add("largest", &Extremes::largest);
-    add("mean", &Extremes::mean);
-  }
+  group.asked = [](const deck::Deck& deck) {
+    return deck::called_for(deck, "transient") &&
+           (deck::given(deck, "friction", "cavitated") || deck::called_for(deck, "thermal"));
+  };
+  int place = 411;
+  const auto add = [&](const std::string& what, const std::string& name, const std::string& path, const Unit& unit,
+                       auto value) {
+    group.numbers.push_back(number(what + "_" + name, unit, what + " " + name + " of the run in time",
+                                   json(path + what), not_in_file,
+                                   bar(name == id::mu ? "error_" + what + "_" + name : ""), column(place++),
+                                   label(name == id::mu ? what + " friction coefficient" : ""), value));
+  };
+  using Part = double Extremes::*;
+  const std::pair<const char*, Part> kinds[] = {
+      {"least", &Extremes::least}, {"largest", &Extremes::largest}, {"mean", &Extremes::mean}};
+  for (const Summarized& one : summarized())
+    for (const auto& [what, part] : kinds)
+      add(what, one.name, "in_time/" + std::string(one.name) + "/", one.unit,
+          [&one, part = part](Of s) { return extremes_of(s.input, *s.computed.in_time, one.name).*part; });
+  for (const auto& [what, part] : {std::pair("mean", &Extremes::mean), {"largest", &Extremes::largest}})
+    add(what, std::string("abs_") + id::mu, "in_time/" + std::string("abs_") + id::mu + "/", "-",
+        [part = part](Of s) { return extremes_of_magnitude(s.input, *s.computed.in_time, id::mu).*part; });
   return group;
 }
 
@@ -216,7 +206,7 @@ std::string friction_in_time_summary(const Case& input, const Computed& computed
   const std::optional<SiScales> si = si_scales(input.physics);
   std::string text;
   for (const Summarized& one : summarized()) {
-    const Extremes of = extremes_of(one.name, *computed.in_time);
+    const Extremes of = extremes_of(input, *computed.in_time, one.name);
     const std::string& own = numbers::unit_of(one.name, input);
     const SiUnit unit = si ? si_unit(own, *si) : SiUnit{own, 1.0};
     text += fmt::format("{}{} {} to {}, mean over time {}{}\n",

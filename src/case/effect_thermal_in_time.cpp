@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/text_format.hpp"
+#include "case/course_of_run.hpp"
 #include "case/friction_in_time.hpp"
 #include "case/numbers/records.hpp"
 #include "case/thermal_in_time.hpp"
@@ -26,15 +27,16 @@ Group heat_step_numbers() {
 Group heat_course() {
   Group group{.name = "course of heat"};
   group.on = [](Of s) { return s.computed.in_time.has_value() && s.input.heat.has_value(); };
+  group.asked = [](const deck::Deck& deck) {
+    return deck::called_for(deck, "transient") && deck::called_for(deck, "thermal");
+  };
+  int place = 521;
   for (const char* name : {id::T_film_max, id::T1_max, id::T2_max, id::heat_imbalance})
-    group.numbers.push_back(number(std::string("largest_") + name, name == id::heat_imbalance ? "-" : "K",
-                                   std::string("largest ") + name + " of the run in time",
-                                   json("in_time/" + std::string(name) + "/largest"), not_in_file, [name](Of s) {
-                                     double most = core::unknown;
-                                     for (const double value : column_of(*s.computed.in_time, name))
-                                       most = std::fmax(most, std::abs(value));
-                                     return most;
-                                   }));
+    group.numbers.push_back(
+        number(std::string("largest_") + name, name == id::heat_imbalance ? "-" : "K",
+               std::string("largest ") + name + " of the run in time",
+               json("in_time/" + std::string(name) + "/largest"), not_in_file, column(place++),
+               [name](Of s) { return extremes_of_magnitude(s.input, *s.computed.in_time, name).largest; }));
   return group;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
 #include "core/constants.hpp"
@@ -11,70 +12,6 @@
 #include "transient/keys.hpp"
 
 namespace ehl::program {
-namespace numbers {
-namespace {
-
-// The extreme of the rows whose value is known.
-double extreme(const TransientResult& run, double transient::StepRow::*value, double (*of_two)(double, double)) {
-  double found = core::unknown;
-  for (const transient::StepRow& row : run.rows) found = of_two(found, row.*value);
-  return found;
-}
-const TransientResult& in_time(Of s) { return *s.computed.in_time; }
-const transient::MarchReport& march(Of s) { return in_time(s).report; }
-bool repeats(Of s) { return !std::isnan(s.input.transient->parameters.period); }
-bool has_states(Of s) { return in_time(s).states.has_value(); }
-bool counts_oil_in_time(Of s) { return s.input.transient->conditions.conserves_mass; }
-
-Group transient_numbers() {
-  Group group{.name = "transient", .prefix = "transient_"};
-  group.on = [](Of s) { return s.computed.in_time.has_value(); };
-  const auto count = [](int transient::MarchReport::*part) { return [part](Of s) { return march(s).*part; }; };
-  const auto of_states = [](int transient::MarchReport::*part) {
-    return [part](Of s) { return (*in_time(s).states).*part; };
-  };
-  using R = transient::MarchReport;
-  using transient::StepRow;
-  std::vector<Number>& list = group.numbers;
-  list = {number(id::completed, "-", "1: the run in time is complete, 0: it is not",
-                 [](Of s) { return completed(in_time(s)); }),
-          number(id::ended, "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
-          number("start_converged", "-", "only a converged start is followed in time", [](Of) { return true; }),
-          number("end_time", "a/u_m", "time reached", [](Of s) { return march(s).T; }),
-          number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
-          number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; }),
-          number("least_Hm", "a^2/R", "minimum film of all times",
-                 [](Of s) { return extreme(in_time(s), &StepRow::Hm, std::fmin); }),
-          number("largest_P_max", "p_h", "highest pressure of all times",
-                 [](Of s) { return extreme(in_time(s), &StepRow::P_max, std::fmax); }),
-          number("steps", "-", "number of time steps", count(&R::steps)),
-          number(id::cycles, "-", "cycles of all steps", count(&R::cycles)),
-          number("newton_steps", "-", "Newton steps of all attempts", count(&R::newton_steps)),
-          number("rejected", "-", "attempts that failed the error test", count(&R::rejected)),
-          number("not_solved", "-", "attempts that were not solved", count(&R::not_solved)),
-          number("jumps", "-", "jumps of load or speed", count(&R::restarts)),
-          number("worst_load_error", "-", "largest relative error of the load",
-                 [](Of s) { return march(s).worst_load_error; }),
-          number(id::seconds, "s", "time of the run in time", [](Of s) { return march(s).seconds; }),
-          number("worst_oil_error", "-", "largest share of oil from nowhere in a step", only_if(counts_oil_in_time),
-                 [](Of s) { return march(s).worst_oil_error; }),
-          number("oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
-                 only_if(counts_oil_in_time), [](Of s) { return in_time(s).rows.back().oil.lost; }),
-          number("periods", "-", "whole periods of the cycle", only_if(repeats), count(&R::periods)),
-          number("change_of_period", "-", "largest relative change of Hc and Hm between the last two periods",
-                 only_if(repeats), [](Of s) { return march(s).change_of_period; }),
-          number("states_at_rest", "-", "quasi-steady states without entrainment, which have no film",
-                 only_if(has_states), of_states(&R::at_rest)),
-          number("states_not_found", "-", "quasi-steady states that were not found", only_if(has_states),
-                 of_states(&R::not_found))};
-  // The file contains how the run ended; the other numbers follow from its table of steps.
-  for (Number& one : list) one.in_file = one.name == id::completed || one.name == id::ended;
-  return group;
-}
-
-}  // namespace
-}  // namespace numbers
-
 namespace {
 
 double step_of(const transient::Input& transient) {
@@ -162,8 +99,10 @@ Needs expense_in_time(const Case& input) {
   const transient::MarchParameters& march = input.transient->parameters;
   const double steps = expected_steps(input);
   const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
+  const double of_error_bars = 1.4;  // with the runs on half the cells
   return {.bytes = nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame),
-          .seconds = steps * (seconds_of_coarse_grids + nodes * seconds_per_node_and_step) +
+          .seconds = (input.transient->error_bars ? of_error_bars : 1.0) * steps *
+                         (seconds_of_coarse_grids + nodes * seconds_per_node_and_step) +
                      frames * nodes * seconds_per_node_and_frame};
 }
 
@@ -184,6 +123,7 @@ Effect transient_effect() {
           .costly = {"transient", "output_interval"},
           .keys = transient::keys,
           .numbers = numbers::transient_numbers,
+          .more_numbers = numbers::errors_of_transient,
           .stages = {.in_time = compute},
           .on = [](const Case& input) { return input.transient.has_value(); },
           .what = what,
@@ -191,6 +131,10 @@ Effect transient_effect() {
           .summary =
               [](const Case& input, const Computed& computed) {
                 return computed.in_time ? transient_summary(input, *computed.in_time) : "";
+              },
+          .json =
+              [](const Case& input, const Computed& computed, Json& report) {
+                add(numbers::quantities("errors in time", {input, computed}), report);
               },
           .add_content =
               [](const Case& input, const Computed& computed, results::Content& content) {
@@ -200,6 +144,7 @@ Effect transient_effect() {
               [](const Computed& computed) {
                 if (!computed.in_time) return 0.0;
                 double own = computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
+                if (computed.in_time->errors) own += computed.in_time->errors->seconds;
                 for (const auto& [effect, seconds] : computed.in_time->seconds) own -= seconds;
                 return own;
               },

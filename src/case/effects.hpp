@@ -29,10 +29,9 @@ struct Group;
 
 /// How much is computed of a case; each extent includes those before it.
 enum class Extent {
-  film,     ///< the steady contact alone, for a point of a study
-  row,      ///< numbers for a row of a table, if the contact converged
-  contact,  ///< all that belongs to the steady contact
-  whole,    ///< also the run in time
+  film,   ///< the steady contact alone, for a point of a study
+  row,    ///< numbers for a row of a table, if the contact converged; with those of the run in time
+  whole,  ///< also what only a result file holds
 };
 
 /// What the caller of the pipeline (run/pipeline.hpp) asks for, and how it follows the computation.
@@ -77,7 +76,7 @@ struct Stages {
   InSteps (*in_steps)(const Case& input) = nullptr;
   /// Computes what follows from the solution.
   void (*after_solution)(const Case& input, RunSettings& settings, Computed& computed) = nullptr;
-  Extent from = Extent::contact;  ///< the smallest extent with after_solution
+  Extent from = Extent::whole;  ///< the smallest extent with after_solution
 };
 
 /// One effect. A function that is not set does nothing. All functions except `read`, `on` and the stage `scene` are

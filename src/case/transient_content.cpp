@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "case/effects.hpp"
 #include "case/numbers/number.hpp"
@@ -24,7 +25,13 @@ struct RowKind {
   bool newton = false;  ///< Newton steps are counted separately; files of earlier versions lack this
   bool radius = false;  ///< R_x varies
   bool quasi = false;   ///< quasi-steady films beside the run in time
+  bool errors = false;  ///< error bars
 };
+
+constexpr std::pair<const char*, double StepRow::*> error_columns[] = {{id::error_Hc, &StepRow::error_Hc},
+                                                                       {id::error_Hm, &StepRow::error_Hm},
+                                                                       {id::error_P_max, &StepRow::error_P_max},
+                                                                       {id::error_mu, &StepRow::error_mu}};
 
 /// Unknown where there is no steady state.
 constexpr const char* quasi_columns[] = {"Hc_quasi_steady", "Hm_quasi_steady", "P_max_quasi_steady"};
@@ -50,6 +57,8 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
     columns.push_back(
         {quasi_columns[2], "p_h", "highest pressure of the steady state at this time", &StepRow::P_max_quasi});
   }
+  for (const auto& [name, error] : error_columns)
+    if (kind.errors) columns.push_back({name, "-", "estimated relative error of mesh and time steps", error});
   if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
@@ -98,18 +107,12 @@ constexpr double largest_credible = 1e20;
   throw core::FileError(path + ": the file is damaged: " + what);
 }
 
-std::vector<double> credible(const results::ResultFile& file, const std::string& name) {
+// The numbers of a dataset. in: may_be_unknown: NaN stands for a value that was not known.
+std::vector<double> credible(const results::ResultFile& file, const std::string& name, bool may_be_unknown = false) {
   const std::vector<double> values = file.numbers(name).values;
   for (const double value : values)
-    if (!(std::abs(value) <= largest_credible)) damaged(file.path(), name + " contains " + deck::shortest(value));
-  return values;
-}
-
-// The numbers of a dataset, where NaN is a value that was not known.
-std::vector<double> known_or_credible(const results::ResultFile& file, const std::string& name) {
-  const std::vector<double> values = file.numbers(name).values;
-  for (const double value : values)
-    if (std::abs(value) > largest_credible) damaged(file.path(), name + " contains " + deck::shortest(value));
+    if (std::abs(value) > largest_credible || (std::isnan(value) && !may_be_unknown))
+      damaged(file.path(), name + " contains " + deck::shortest(value));
   return values;
 }
 
@@ -149,12 +152,14 @@ std::vector<StepRow> read_rows(const results::ResultFile& file, const std::vecto
                                        .oil = there(id::oil_in),
                                        .newton = there("newton_steps"),
                                        .radius = there("radius_x"),
-                                       .quasi = there(quasi_columns[0])},
+                                       .quasi = there(quasi_columns[0]),
+                                       .errors = there(id::error_Hc)},
                                                     probes, added)) {
     const std::string name = "/transient/" + column.name;
     const bool may_be_unknown = std::ranges::find(added, column.name) != added.end() ||
-                                std::ranges::find(quasi_columns, column.name) != std::end(quasi_columns);
-    const std::vector<double> values = may_be_unknown ? known_or_credible(file, name) : credible(file, name);
+                                std::ranges::find(quasi_columns, column.name) != std::end(quasi_columns) ||
+                                column.name.starts_with("error_");
+    const std::vector<double> values = credible(file, name, may_be_unknown);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
     for (std::size_t k = 0; k < values.size(); ++k)
       column.set(rows[k], column.whole ? Value(whole(file.path(), name, values[k])) : Value(values[k]));
@@ -192,7 +197,8 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
                                                   .line = line,
                                                   .newton = line,
                                                   .radius = !march.conditions.radius.points.empty(),
-                                                  .quasi = march.mode == transient::Mode::both},
+                                                  .quasi = march.mode == transient::Mode::both,
+                                                  .errors = result.errors && result.errors->missing.empty()},
                                                  march.parameters.probes, added.numbers),
                                     result.rows));
   content.frames.group = "/transient/frames";

@@ -92,6 +92,21 @@ void check_reach(deck::Deck& deck, const contact::Ellipse& shape, const transien
           (wide_enough ? "" : fmt::format(", and to y_half = {:.3g}", grid.Y_b * length)));
 }
 
+// Refuses error bars where half the cells make no grid for the contact.
+void check_half_grid(deck::Deck& deck, const contact::Ellipse& shape, const core::Grid& grid) {
+  constexpr int least_cells = 64;            // of a coarsest grid of 32 cells, and a finer one
+  constexpr double widest_over_size = 0.25;  // on half the cells half of the contact's size
+  const deck::Part part{deck, "grid"};
+  const double widest = widest_over_size * std::min(1.0, shape.kappa);
+  const int coarsest = part.integer("coarsest", 0);
+  if (grid.nx % 2 == 0 && grid.nx >= std::max(least_cells, 2 * coarsest) && grid.hx() <= widest) return;
+  const double fewest = std::max({1.0 * least_cells, 2.0 * coarsest, (grid.X_b - grid.X_a) / widest});
+  deck::complain(deck, "transient", "error",
+                 fmt::format("computes the contact on half the cells too, and {} are too few for that: use cells = "
+                             "{:g} or more, or set off",
+                             grid.nx, std::exp2(std::ceil(std::log2(fewest)))));
+}
+
 }  // namespace
 
 std::optional<transient::Input> transient_input(deck::Deck& deck, const transient::Tuning& tuning,
@@ -110,6 +125,7 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const transien
     if (!input.conditions.body && grid.nx > 0 && deck.errors.empty())
       check_reach(deck, physics.groups.shape, input, grid);
   }
+  if (input.error_bars && grid.nx > 0) check_half_grid(deck, physics.groups.shape, grid);
   if (input.mode != transient::Mode::in_time && deck::called_for(deck, "thermal"))
     deck::complain(deck, "transient", "mode", "the quasi-steady states have no heat: set in_time, or remove [thermal]");
   if (input.mode == transient::Mode::quasi_steady)

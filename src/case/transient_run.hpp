@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/si_units.hpp"
 #include "case/scene.hpp"
 #include "results/content.hpp"
 #include "results/read.hpp"
@@ -14,6 +15,13 @@ namespace ehl::program {
 
 struct RunSettings;
 
+/// Error bars of a run in time, from runs on half the cells and with a larger tolerance.
+struct TimeErrors {
+  std::map<std::string, double> of{};  ///< relative, of extremes and means, by their names in the registry
+  std::string missing{};               ///< why there are none
+  double seconds = 0.0;                ///< of these runs
+};
+
 struct TransientResult {
   std::vector<transient::StepRow> rows{};
   std::vector<transient::Frame> frames{};
@@ -21,6 +29,7 @@ struct TransientResult {
   std::optional<transient::MarchReport> states{};  ///< of the quasi-steady states, if the mode has any
   std::vector<std::string> measured{};      ///< what the effects add to the rows, in the order of StepRow::measured
   std::map<std::string, double> seconds{};  ///< of the effects that compute at steps, by name; part of report.seconds
+  std::optional<TimeErrors> errors{};       ///< if the deck asks for them
   std::optional<transient::Checkpoint> checkpoint{};  ///< where an incomplete run continues; else empty
 };
 
@@ -38,6 +47,9 @@ std::string how_it_ended(const transient::MarchReport& report);
 /// Why a run is incomplete: "the transient ended at time 2 a/u_m: the cycles did not converge", "the transient was
 /// interrupted at time 2 a/u_m"; empty if it is complete or the case is steady.
 std::string why_incomplete(const std::optional<TransientResult>& result);
+
+/// The unit of printed times: ms if the deck gives times in seconds.
+SiUnit time_unit(const Case& input);
 
 /// The printed summary.
 std::string transient_summary(const Case& input, const TransientResult& result);

@@ -120,8 +120,9 @@ Task task_of(const Arguments& arguments) {
     refuse(fmt::format("--measured: {} points are too few for {} constants and their standard errors",
                        task.points.size(), task.free.size()));
   task.header.files = files_of_cases(deck, task.header.set, {});
-  task.header.columns =
-      numbers::columns_of_sweep(deck::read(deck, overrides_of(task, {}, task.points.back().srr), catalogue()), false);
+  const deck::Deck of_last = deck::read(deck, overrides_of(task, {}, task.points.back().srr), catalogue());
+  if (deck::called_for(of_last, "transient")) refuse(deck + ": a fit needs a steady contact: remove [transient]");
+  task.header.columns = numbers::columns_of_sweep(of_last, false);
   if (std::ranges::find(task.header.columns, id::mu, &numbers::SweepColumn::name) == task.header.columns.end())
     refuse(deck + ": the deck computes no friction to fit: add [friction] or [thermal]");
   return task;

@@ -30,7 +30,7 @@ constexpr char figure_of_frames[] = "contact_in_time";
 constexpr char figure_of_curves[] = "curves";
 
 // One run of gnuplot.
-struct Task {
+struct Drawing {
   Figure figure{};
   std::vector<Setting> own{};
   std::optional<Curves> curves{};
@@ -38,9 +38,9 @@ struct Task {
 
 // The films of a sweep as curves, and every quantity that the page shows as curves. The friction has its own figure if
 // there is one.
-void add_curves(const SweepData& table, const Figure& figure, const Arguments& arguments, std::vector<Task>& tasks) {
+void add_curves(const SweepData& table, const Figure& figure, const Arguments& arguments, std::vector<Drawing>& tasks) {
   if (longest_key(table).empty() || too_many_curves(table)) return;
-  const auto is_traction = [](const Task& task) { return task.figure.name == "traction_curve"; };
+  const auto is_traction = [](const Drawing& task) { return task.figure.name == "traction_curve"; };
   const bool has_friction = std::ranges::any_of(tasks, is_traction);
   CurvesWanted wanted = chosen_curves(table, arguments);
   const auto add = [&] {
@@ -59,7 +59,7 @@ void add_curves(const SweepData& table, const Figure& figure, const Arguments& a
   }
 }
 
-void add_frames(const Figure& figure, std::size_t count, std::vector<Task>& tasks) {
+void add_frames(const Figure& figure, std::size_t count, std::vector<Drawing>& tasks) {
   const std::vector<std::size_t> shown = frames_on_page(count);
   const auto cores = static_cast<std::size_t>(usable_cores());
   const std::size_t frames_at_once = std::max(fewest_frames, (shown.size() + cores - 1) / cores);
@@ -71,8 +71,8 @@ void add_frames(const Figure& figure, std::size_t count, std::vector<Task>& task
   }
 }
 
-std::vector<Task> tasks_of(const FigureSource& source, const Arguments& arguments) {
-  std::vector<Task> tasks;
+std::vector<Drawing> tasks_of(const FigureSource& source, const Arguments& arguments) {
+  std::vector<Drawing> tasks;
   const std::vector<Figure> all = figures_in(folder_of_scripts());
   for (const Figure& figure : figures_of_page(all, source)) {
     if (figure.name == figure_of_frames) {
@@ -91,7 +91,7 @@ std::vector<Task> tasks_of(const FigureSource& source, const Arguments& argument
 }
 
 // The SVG of each task; empty if gnuplot failed. in: in_si: the contact is in SI. out: the reasons.
-std::set<std::string> draw(const Gnuplot& gnuplot, bool in_si, const std::vector<Task>& tasks,
+std::set<std::string> draw(const Gnuplot& gnuplot, bool in_si, const std::vector<Drawing>& tasks,
                            std::vector<std::string>& drawn) {
   std::set<std::string> reasons;
   std::vector<std::size_t> all(tasks.size());
@@ -118,7 +118,7 @@ std::set<std::string> draw(const Gnuplot& gnuplot, bool in_si, const std::vector
 
 // The pictures for the page, those of the frames as one figure. A picture that may not stand on a page becomes empty in
 // `drawn`, with a reason.
-DrawnFigures arranged(const std::vector<Task>& tasks, std::size_t number, std::vector<std::string>& drawn,
+DrawnFigures arranged(const std::vector<Drawing>& tasks, std::size_t number, std::vector<std::string>& drawn,
                       std::set<std::string>& reasons) {
   DrawnFigures made;
   for (std::size_t k = 0; k < tasks.size(); ++k) try {
@@ -147,7 +147,7 @@ DrawnFigures figures_for_page(const std::string& path, std::size_t number, const
   DrawnFigures made;
   std::set<std::string> reasons, failed;
   try {
-    const std::vector<Task> tasks = tasks_of(source, arguments);
+    const std::vector<Drawing> tasks = tasks_of(source, arguments);
     std::vector<std::string> drawn(tasks.size());
     reasons = draw(Gnuplot(path, source, "svg"), in_si, tasks, drawn);
     made = arranged(tasks, number, drawn, reasons);

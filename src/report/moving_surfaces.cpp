@@ -8,6 +8,7 @@
 
 #include "base/si_units.hpp"
 #include "contact/ellipse.hpp"
+#include "surface/resample.hpp"
 
 namespace ehl::program {
 namespace {
@@ -38,13 +39,45 @@ void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& 
                                                   in_unit_of_deck(input, input.transient->parameters.end), remedy)});
 }
 
+/// Cells per wave that a moving surface needs: with fewer the film loses its amplitude. [bench: waviness_in_rolling]
+constexpr double cells_of_a_wave = 30.0;
+
+// The share of the variance of a map in waves with fewer cells than they need: averaging over half of a wave removes
+// it.
+double variance_of_short_waves(const surface::HeightMap& map, core::Grid grid, double cells_times) {
+  const double wider = 0.5 * cells_of_a_wave / cells_times;
+  grid.nx = std::max(1, static_cast<int>(std::lround(grid.nx / wider)));
+  grid.ny = std::max(1, static_cast<int>(std::lround(grid.ny / wider)));
+  return surface::resolution(map, grid).variance_lost;
+}
+
+// Warns of a moving map, half of whose variance lies in waves that are too short for the mesh.
+void warn_of_short_waves(const Case& input, const CarriedSurface& one, core::Warnings& warnings) {
+  constexpr double most = 0.5;
+  constexpr int most_doublings = 5;
+  const auto* map = std::get_if<surface::HeightMap>(&one.relief);
+  if (!map) return;
+  const core::Grid& grid = input.scene.grid;
+  const double share = variance_of_short_waves(*map, grid, 1.0);
+  if (share <= most) return;
+  int times = 2;
+  while (times < 1 << most_doublings && variance_of_short_waves(*map, grid, times) > most) times *= 2;
+  warnings.push_back(
+      {"short-waves",
+       fmt::format(
+           "{:.0f} % of the variance of the map on {} lies in waves of fewer than {:g} cells, and their "
+           "amplitude in a moving film depends on the mesh: use at least {} cells, or [{}] shortest_wave = {:.3g}",
+           100.0 * share, one.section, cells_of_a_wave, times * grid.nx, one.section,
+           cells_of_a_wave * grid.longest_step())});
+}
+
 // Warns of a moving feature on a mesh that is too coarse for it.
 void warn_of_coarse(const Case& input, const CarriedSurface& one, core::Warnings& warnings) {
   const auto* feature = std::get_if<surface::Feature>(&one.relief);
   if (!feature) return;
   const core::Grid& grid = input.scene.grid;
   const bool waves = feature->shape == surface::Feature::Shape::waviness;
-  const double wanted = waves ? 30.0 : 8.0;
+  const double wanted = waves ? cells_of_a_wave : 8.0;
   const double cells = feature->width / grid.longest_step();
   if (cells >= wanted) return;
   warnings.push_back(
@@ -62,6 +95,7 @@ core::Warnings moving_surface_warnings(const Case& input) {
   if (!input.transient) return warnings;
   for (const CarriedSurface* one : carried(input.surfaces)) warn_of_late(input, *one, warnings);
   for (const CarriedSurface* one : carried(input.surfaces)) warn_of_coarse(input, *one, warnings);
+  for (const CarriedSurface* one : carried(input.surfaces)) warn_of_short_waves(input, *one, warnings);
   return warnings;
 }
 

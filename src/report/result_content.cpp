@@ -98,6 +98,7 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
   content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
   content.provenance = provenance(input);
   content.grid = solution.grid;
+  if (const std::optional<SiScales> si = si_scales(input.physics)) content.si = plain_units(*si);
   content.summary = std::move(numbers);
   content.summary.push_back(numbers::given(id::warnings, deck::joined(with_names(computed.outcome.warnings), "\n")));
   for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))

@@ -15,6 +15,7 @@
 #include "report/report.hpp"
 #include "report/result_content.hpp"
 #include "results/write.hpp"
+#include "run/error_bars_in_time.hpp"
 #include "run/solver.hpp"
 
 namespace ehl::program {
@@ -47,10 +48,12 @@ void solve_case(const Case& input, RunSettings& settings, Computed& computed) tr
 void compute_effects(const Case& input, RunSettings& settings, Computed& computed) {
   const Extent extent = settings.extent;
   if (extent == Extent::row && !computed.solution.converged) return;
-  if (extent >= Extent::contact) computed.derived = derived_fields(input, computed.solution);
+  if (extent == Extent::whole) computed.derived = derived_fields(input, computed.solution);
   const std::vector<Effect> on = effects_of(input);
   for (const Effect& effect : on)
-    if (effect.stages.in_time && extent == Extent::whole) effect.stages.in_time(input, settings, computed);
+    if (effect.stages.in_time && extent >= Extent::row && !computed.in_time)
+      effect.stages.in_time(input, settings, computed);
+  add_error_bars_in_time(input, settings, computed);
   for (const Effect& effect : on)
     if (effect.stages.after_solution && extent >= effect.stages.from)
       effect.stages.after_solution(input, settings, computed);

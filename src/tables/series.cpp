@@ -29,6 +29,10 @@ std::string longest_key(const SweepData& table) {
 std::vector<std::string> films_in_si() { return {numbers::column_in_si(id::hc), numbers::column_in_si(id::hm)}; }
 
 std::vector<std::string> films(const SweepData& table) {
+  // The table of runs in time shows the least films instead of those at time 0.
+  const std::vector<std::string> least_in_si{numbers::column_in_si(id::least_hc), numbers::column_in_si(id::least_hm)};
+  if (table.has(least_in_si[0])) return least_in_si;
+  if (table.has(id::least_Hc)) return {id::least_Hc, id::least_Hm};
   if (const std::vector<std::string> in_si = films_in_si(); table.has(in_si[0])) return in_si;
   return table.has(id::Hc) ? std::vector<std::string>{id::Hc, id::Hm} : std::vector<std::string>{};
 }

@@ -67,8 +67,6 @@ Variation::Key key_of(const std::string& text, const deck::Assignment& given, co
   Variation::Key key{deck::trimmed(text.substr(0, point)), deck::trimmed(text.substr(point + 1))};
   if (key.section == "output")
     throw core::InputError(said + "a sweep writes one table and no result files: remove [output]");
-  if (key.section == "transient")
-    throw core::InputError(said + "a sweep solves steady contacts only: remove [transient]");
   if (deck::find_key(catalogue, key.section, key.name) == nullptr)
     throw core::InputError(complaints({key.section, key.name, given.value, given.place}, catalogue));
   return key;

@@ -66,11 +66,12 @@ SweepRow solved_row(const SweepHeader& sweep, const std::vector<std::string>& ov
       return true;
     });
     RunSettings settings{.progress = progress, .extent = Extent::row};
+    if (kept == nullptr) settings.frame = [](transient::Frame&&) {};
     Computed computed;
     solve_case(*input, settings, computed);
     const SweepRow row = row_of_solution(sweep.columns, *input, computed);
     if (kept != nullptr && has_film(computed.solution)) {
-      settings.extent = Extent::contact;
+      settings.extent = Extent::whole;
       if (computed.unsolved.empty()) compute_effects(*input, settings, computed);
       *kept = image_of(whole_content(*input, computed));
     }
@@ -93,7 +94,8 @@ SweepRow sweep_row(const SweepColumns& columns) {
 std::vector<std::string> left_out(const deck::Deck& deck) {
   std::vector<std::string> lines;
   if (deck::called_for(deck, "transient"))
-    lines.push_back("[transient]: no run in time is made; a row is the steady contact that `ehl run` would start from");
+    lines.push_back(
+        "[transient]: numbers without least, largest or mean in their names are those of the steady contact at time 0");
   if (deck::called_for(deck, "subsurface"))
     lines.push_back("[subsurface]: the table has no stresses; --keep keeps those of every case");
   if (deck::given(deck, "contact", "coating1_E") || deck::given(deck, "contact", "coating2_E"))
@@ -119,10 +121,18 @@ SweepRow row_of_solution(const SweepColumns& columns, const Case& input, const C
   if (!has_film(solution)) return row_without_solution(row, "not-converged", not_converged, solution.failed_check);
   core::Warnings warnings = computed.outcome.warnings;
   const auto warn = [&](const core::Warnings& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
-  if (solution.converged && is_finite(computed.outcome)) {
-    if (computed.friction) warn(friction::warnings(*computed.friction));
-    if (computed.roller) warn(edge_warnings(computed.roller->found));
-    if (computed.heat) warn(thermal_warnings(input, *computed.heat));
+  const bool steady_converged = solution.converged && is_finite(computed.outcome);
+  if (const std::string why = why_incomplete(computed.in_time); steady_converged && !why.empty()) {
+    fill(columns, Known::solved, input, computed, row);
+    row = row_without_solution(row, "not-converged", not_converged, why);
+  } else if (steady_converged) {
+    if (computed.in_time) {
+      warnings = all_warnings(input, computed);
+    } else {
+      if (computed.friction) warn(friction::warnings(*computed.friction));
+      if (computed.roller) warn(edge_warnings(computed.roller->found));
+      if (computed.heat) warn(thermal_warnings(input, *computed.heat));
+    }
     fill(columns, Known::converged, input, computed, row);
     in_row(row, id::status) = "converged";
   } else {

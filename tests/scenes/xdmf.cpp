@@ -5,7 +5,9 @@
 #include <XdmfReader.hpp>
 #include <XdmfRectilinearGrid.hpp>
 #include <XdmfTime.hpp>
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <sstream>
 
 #include "results/read.hpp"
@@ -68,6 +70,44 @@ BOOST_AUTO_TEST_CASE(the_library_reads_every_time) {
       for (unsigned i = 0; i < written.size(); ++i) differing += read->getValue<double>(i) == written[i] ? 0 : 1;
       BOOST_TEST(differing == 0u, name << " at time " << times[k] << ": " << differing << " values differ");
     }
+  }
+}
+
+// A contact in SI: fields in Pa and m, places in m, times in s.
+BOOST_AUTO_TEST_CASE(a_contact_in_si_is_in_si) {
+  const support::TemporaryFolder folder;
+  folder.write("si.ini",
+               "[contact]\nload = 20\nradius_x = 0.01\nE_prime = 2.3e11\n[motion]\nu_m = 1\n[lubricant]\neta0 = "
+               "0.04\nalpha = 2e-8\n[domain]\nx_inlet = -3\nx_outlet = 1.5\ny_half = 2\n[grid]\ncells = 64\n"
+               "[transient]\nend_time = 0.25\noutput_interval = 0.125\nload = 0:1 0.1:1 0.3:1.5\n");
+  const support::Ended ended = support::ehl(folder, "run si.ini --quiet");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  const ehl::results::ResultFile file(folder / "si.h5");
+  const auto scale = [&](const char* name) { return file.numbers(std::string("/scales/") + name).values.at(0); };
+  const double p_h = scale("p_h"), a = scale("a"), height = scale("h");
+  const double second = a / 1.0;  // a/u_m at 1 m/s
+  const std::vector<double> times = file.numbers("/transient/frames/time").values;
+  const auto domain = shared_dynamic_cast<XdmfDomain>(XdmfReader::New()->read(folder / "si.xmf"));
+  const auto collection = domain->getGridCollection(0);
+  BOOST_REQUIRE(collection->getNumberRectilinearGrids() == times.size());
+  const auto agrees = [](const shared_ptr<XdmfArray>& read, const std::vector<double>& written, double factor,
+                         const std::string& name) {
+    read->read();
+    BOOST_REQUIRE_MESSAGE(read->getSize() == written.size(), name << " has " << read->getSize() << " values");
+    double worst = 0.0;
+    for (unsigned i = 0; i < written.size(); ++i)
+      worst = std::max(worst, std::abs(read->getValue<double>(i) - factor * written[i]));
+    const double largest = factor * std::abs(*std::ranges::max_element(written));
+    BOOST_TEST(worst <= 1e-14 * largest, name << " differs by " << worst << " of " << largest);
+  };
+  for (unsigned k = 0; k < times.size(); ++k) {
+    const auto grid = collection->getRectilinearGrid(k);
+    BOOST_TEST(std::abs(grid->getTime()->getValue() - times[k] * second) <= 1e-14 * second);
+    BOOST_REQUIRE((grid->getAttribute("P_Pa") && grid->getAttribute("H_m")));
+    agrees(grid->getAttribute("P_Pa"), file.frame("/transient/frames/P", k).values, p_h, "P_Pa");
+    agrees(grid->getAttribute("H_m"), file.frame("/transient/frames/H", k).values, height, "H_m");
+    agrees(grid->getCoordinates(0), file.numbers("/grid/x").values, a, "x");
+    agrees(grid->getCoordinates(1), file.numbers("/grid/y").values, a, "y");
   }
 }
 

@@ -28,6 +28,8 @@ inline constexpr char
     heat_stored[] = "heat_stored", heat_imbalance[] = "heat_imbalance", supply_ratio[] = "supply_ratio",
     starvation_factor[] = "starvation_factor",
     meniscus_x[] = "meniscus_x", oil_in[] = "oil_in", oil_aside[] = "oil_aside", mass_imbalance[] = "mass_imbalance",
+    least_Hc[] = "least_Hc", least_Hm[] = "least_Hm", largest_P_max[] = "largest_P_max", mean_mu[] = "mean_mu",
+    least_hc[] = "least_h_c", least_hm[] = "least_h_m",
     completed[] = "completed", ended[] = "ended", speed[] = "speed",
     // friction, also in time
     mu_rolling[] = "mu_rolling", mu_1[] = "mu_1", mu_2[] = "mu_2", mu_cavitated[] = "mu_cavitated",

@@ -71,4 +71,8 @@ std::vector<Number> point_deviations();
 std::vector<Number> ellipse_formulas();
 std::vector<Number> ellipse_deviations();
 
+/// How a run in time went, and extremes and means over it; the error bars of these.
+Group transient_numbers();
+std::vector<Group> errors_of_transient();
+
 }  // namespace ehl::program::numbers

@@ -565,6 +565,12 @@ class TransientKeys(TypedDict, total=False):
     output_interval: float | str
     """Time between two stored fields of P and H. The values of every step are always stored. (only with [transient] end_time)
     default: none: the fields of the first and the last time only; allowed: a number > 0"""
+    start_of_means: float | str
+    """Time from which on extremes and means of a run are taken, for the report and the rows of a sweep. Without it the last whole period of a cycle counts, else the whole run. (only with [transient] end_time)
+    default: the start of the last whole period of a cycle, else 0; allowed: a number >= 0"""
+    error: Literal["on", "off"] | bool
+    """on: error bars of Hc, Hm, P_max and mu at every step, and of their extremes and means, from two more runs: one on half the cells, and one that also has ten times the tolerance. They cover mesh and time steps, and not the size of the domain. (only with [transient] end_time)
+    default: off; allowed: one of on, off"""
     load: str | os.PathLike[str]
     """Load over that of [contact] against time: 'time:value ...', linear between the times; a time given twice is a jump. Or the name of a text file with the columns t and load, in the working folder or beside the deck; its heading may name the unit of t. (only with [transient] end_time)
     default: constant; allowed: any text"""

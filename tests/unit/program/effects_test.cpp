@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(every_entry_is_complete) {
     // What is computed at a stage of its own reports its time.
     const program::Stages& stages = effect.stages;
     BOOST_TEST((!(stages.film || stages.in_time || stages.after_solution) || effect.seconds), effect.name);
-    BOOST_TEST((stages.from == program::Extent::contact || stages.after_solution), effect.name);
+    BOOST_TEST((stages.from == program::Extent::whole || stages.after_solution), effect.name);
     if (!effect.costly.name.empty())
       BOOST_TEST((deck::find_key(catalogue, effect.costly.section, effect.costly.name) != nullptr), effect.name);
     for (const deck::Section& section : effect.sections)

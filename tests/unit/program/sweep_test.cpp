@@ -101,7 +101,6 @@ BOOST_AUTO_TEST_CASE(wrong_lists) {
            {"discretization.wedge=upstrem1", {"upstrem1", "upstream1, upstream2"}},
            {"case.title=a#b", {"case.title"}},
            {"output.file=a,b", {"[output]"}},
-           {"transient.end_time=1,2", {"[transient]"}},
        }) {
     const std::string said = refusal([&] { values(slip.text); });
     for (const std::string& part : slip.parts) BOOST_TEST(contains(said, part), slip.text << " says\n" << said);

@@ -179,6 +179,13 @@ BOOST_AUTO_TEST_CASE(xdmf_names_the_datasets_and_is_escaped) {
   for (const char* part : {"Dimensions=\"3 5\"", "r.h5:/fields/P", "r.h5:/grid/x", "an &lt;example&gt; &amp; more"})
     BOOST_TEST(text.find(part) != std::string::npos, part);
   BOOST_TEST(results::xdmf_name("a.b/c.h5") == "a.b/c.xmf");
+  Example in_si;
+  in_si.content.si = {{"p_h", "Pa", 2e9}, {"a", "m", 1e-4}};
+  results::write(folder / "s.h5", in_si.content, false);
+  const std::string si = folder.read("s.xmf");
+  for (const char* part :
+       {"Name=\"P_Pa\"", "Function=\"2000000000.0000000 * $0\"", "Function=\"0.00010000000", "s.h5:/fields/P"})
+    BOOST_TEST(si.find(part) != std::string::npos, part);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
