@@ -74,8 +74,9 @@ std::string foreign_to(FileKind kind, const std::string& path) {
   switch (kind) {
     case FileKind::xdmf: return unless(text.find("<Xdmf") != std::string::npos, "is not an XDMF file");
     case FileKind::table:
-      return unless(text.starts_with("# ehl sweep") || text.starts_with("# ehl study"),
-                    "is not a table of `ehl sweep` or `ehl study`");
+      return unless(
+          text.starts_with("# ehl sweep") || text.starts_with("# ehl study") || text.starts_with("# ehl asperities"),
+          "is not a table of `ehl sweep`, `ehl study` or `ehl asperities`");
     case FileKind::page: return unless(is_page(path, text), "is not a page of `ehl report`");
     default: return unless(is_picture(text), "is not a picture");
   }

@@ -1,4 +1,4 @@
-// ehl plot: runs the gnuplot scripts of postprocess/ with a result or with the table of a sweep or a study.
+// ehl plot: runs the gnuplot scripts of postprocess/ with a result or with a table.
 #include <fmt/core.h>
 
 #include <algorithm>

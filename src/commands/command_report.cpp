@@ -8,6 +8,7 @@
 #include "page/section.hpp"
 #include "results/atomic_file.hpp"
 #include "results/outputs.hpp"
+#include "tables/asperity_table.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_data.hpp"
 #include "tables/sweep_table.hpp"
@@ -18,6 +19,7 @@ namespace {
 PageSection section_of(const std::string& path, const DrawnFigures& figures) {
   if (!path.ends_with(".csv")) return result_section(path, figures);
   const std::string mark = mark_of(path);
+  if (mark == asperity_mark) refuse(path + ": the table of a map's asperities has no page; `ehl plot` draws it");
   return mark == sweep_mark   ? sweep_section(path, figures)
          : mark == study_mark ? study_section(path, figures)
                               : time_study_section(path, figures);

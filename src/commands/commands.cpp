@@ -119,6 +119,28 @@ const Command fit_command{
      quiet},
     fit};
 
+const Command asperities_command{
+    "asperities",
+    "MAP",
+    "presses a measured map on a smooth plane and lets oil flow through the gaps that remain: asperity pressure, area "
+    "in "
+    "contact and flow factors against the gap, as a table for `ehl plot`. Lengths and pressures are in SI units",
+    {{"dx", "METRES", "distance between the points along x (default: that of the file)"},
+     {"dy", "METRES", "distance between the points along y (default: that of the file, else dx)"},
+     {"unit", "METRES", "height of the number 1 in the file (default: that of the file)"},
+     {"dataset", "NAME", "dataset of a .h5 file (default: height)"},
+     {"longest_wave", "METRES", "takes longer waves away, which belong to the form and not to the asperities"},
+     {"shortest_wave", "METRES", "takes shorter waves away, e.g. the noise of the instrument"},
+     {"E_prime", "PASCAL", "E' = 2/((1-nu1^2)/E1 + (1-nu2^2)/E2) of the two bodies (default: 226.4e9, steel on steel)"},
+     {"hardness", "PASCAL", "largest pressure of an asperity, of the softer body (default: elastic)"},
+     {"points", "N", "most points along each axis; a map with more is averaged over blocks (default 512)"},
+     {"rows", "N", "number of mean pressures (default 13)"},
+     {"output", "FILE.csv", "table to write (default: name of the map with _asperities.csv)"},
+     {"overwrite", "", "replaces an existing table"},
+     threads,
+     quiet},
+    asperities};
+
 const Command extract_command{
     "extract",
     "FILE.h5 [DATASET]...",
@@ -145,8 +167,8 @@ const Command extract_command{
 const Command plot_command{
     "plot",
     "FILE.h5|FILE.csv",
-    "draws the figures of postprocess/ from a result, or from the table of a sweep or a study, and writes them next to "
-    "that file",
+    "draws the figures of postprocess/ from a result, or from the table of a sweep, a study or a map's asperities, and "
+    "writes them next to that file",
     {{"figure", "NAME",
       "draws only this figure; the figures are listed below (default: all that fit and are not on demand)", true},
      {"x", "KEY", "sweep: column on the x axis (default: the swept key with most values)"},
@@ -184,6 +206,7 @@ const std::vector<Command>& commands() {
       sweep_command,
       study_command,
       fit_command,
+      asperities_command,
       extract_command,
       plot_command,
       {"report",

@@ -14,6 +14,7 @@ int resume(const Arguments& arguments);
 int sweep(const Arguments& arguments);
 int study(const Arguments& arguments);
 int fit(const Arguments& arguments);
+int asperities(const Arguments& arguments);
 int extract(const Arguments& arguments);
 int plot(const Arguments& arguments);
 int report(const Arguments& arguments);

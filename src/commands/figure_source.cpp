@@ -10,6 +10,7 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
+#include "tables/asperity_table.hpp"
 #include "tables/series.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
@@ -79,7 +80,10 @@ FigureSource result_source(const std::string& path, const Arguments& arguments) 
 FigureSource table_source(const std::string& path, const Arguments& arguments) {
   if (arguments.has("time")) refuse("--time chooses a field of a run in time, and a table has none");
   const std::string mark = mark_of(path);
-  const std::string kind = mark == sweep_mark ? "sweep" : mark == study_mark ? "study" : "time_study";
+  const std::string kind = mark == sweep_mark        ? "sweep"
+                           : mark == study_mark      ? "study"
+                           : mark == time_study_mark ? "time_study"
+                                                     : "asperities";
   if (kind != "sweep") return {{}, kind, [kind](const std::string& need) { return need == kind; }};
   const auto table = std::make_shared<SweepData>(read_sweep(path));
   const bool chosen = names_axes(arguments);

@@ -1,6 +1,7 @@
 #include "commands/figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,14 +17,17 @@ namespace {
 
 namespace files = std::filesystem;
 
-// The kind of file that a figure draws: sweep, study, time_study or result.
+constexpr std::array table_kinds{"sweep", "study", "time_study", "asperities"};
+
+// The kind of file that a figure draws: one of the tables, or result.
 std::string kind_of(const Figure& figure) {
   const std::string need = figure.needs.empty() ? "" : figure.needs[0];
-  return need == "sweep" || need == "study" || need == "time_study" ? need : "result";
+  return std::ranges::find(table_kinds, need) != table_kinds.end() ? need : "result";
 }
 
 std::string told(const std::string& kind) {
   if (kind == "result") return "a result, FILE.h5";
+  if (kind == "asperities") return "the table of a map's asperities, FILE.csv";
   return "the table of a " + (kind == "time_study" ? "study of a run in time" : kind) + ", FILE.csv";
 }
 
@@ -109,7 +113,7 @@ std::vector<Figure> figures_of_page(const std::vector<Figure>& all, const Figure
 
 std::string list_of_figures(const std::vector<Figure>& all) {
   std::string text;
-  for (const char* kind : {"result", "sweep", "study", "time_study"}) {
+  for (const char* kind : {"result", "sweep", "study", "time_study", "asperities"}) {
     text += "\nfigures of " + told(kind) + "\n";
     for (const Figure& figure : all) {
       if (kind_of(figure) != kind) continue;

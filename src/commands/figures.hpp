@@ -13,8 +13,8 @@ struct Figure {
   std::string name{};
   std::string title{};
   std::string script{};
-  std::vector<std::string> needs{};  ///< the datasets that the figure needs; or the kind of table, "sweep", "study" or
-                                     ///< "time_study", followed by the columns that it needs
+  std::vector<std::string> needs{};  ///< the datasets that the figure needs; or the kind of table, "sweep", "study",
+                                     ///< "time_study" or "asperities", followed by the columns that it needs
   bool movie = false;                ///< the output is a GIF, whatever the format
   bool on_demand = false;            ///< `ehl plot` draws it only if asked for by name, as every movie
   bool on_page = true;               ///< `ehl report` draws it
@@ -40,7 +40,7 @@ struct Setting {
 /// The data of the figures: the variables for the scripts, and the needs that the data meet.
 struct FigureSource {
   std::vector<Setting> settings{};
-  std::string kind{};  ///< "result", "sweep", "study", "time_study"
+  std::string kind{};  ///< "result", "sweep", "study", "time_study", "asperities"
   std::function<bool(const std::string&)> has{};
   std::shared_ptr<const SweepData> table{};  ///< set for a sweep
 };

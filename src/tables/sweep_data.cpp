@@ -8,6 +8,7 @@
 #include "case/numbers/names.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "tables/asperity_table.hpp"
 #include "tables/csv.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
@@ -109,9 +110,9 @@ std::string mark_of(const std::string& path) {
   std::ifstream file = deck::opened(path, largest);
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
-  for (const char* mark : {sweep_mark, study_mark, time_study_mark})
+  for (const char* mark : {sweep_mark, study_mark, time_study_mark, asperity_mark})
     if (first.starts_with(any_version(mark))) return mark;
-  throw core::FileError(path + ": this is not a table of `ehl sweep` or `ehl study`");
+  throw core::FileError(path + ": this is not a table of `ehl sweep`, `ehl study` or `ehl asperities`");
 }
 
 }  // namespace ehl::program

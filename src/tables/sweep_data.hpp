@@ -24,8 +24,8 @@ struct SweepData {
   bool is_numeric(const std::string& column) const;
 };
 
-/// The kind of a table in the present version: sweep_mark, study_mark or time_study_mark. errors: core::FileError if
-/// the file cannot be read or is no such table.
+/// The kind of a table in the present version: sweep_mark, study_mark, time_study_mark or asperity_mark. errors:
+/// core::FileError if the file cannot be read or is no such table.
 std::string mark_of(const std::string& path);
 
 /// Reads a table that begins with `mark`, or an older version of it, whose columns get the present names; the varied
