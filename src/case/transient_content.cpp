@@ -28,11 +28,11 @@ struct RowKind {
   bool errors = false;  ///< error bars
 };
 
-constexpr std::pair<const char*, double StepRow::*> error_columns[] = {{id::error_Hc, &StepRow::error_Hc},
-                                                                       {id::error_Hm, &StepRow::error_Hm},
-                                                                       {id::error_P_max, &StepRow::error_P_max},
-                                                                       {id::error_mu, &StepRow::error_mu}};
-
+using Error = std::pair<const char*, double StepRow::*>;
+constexpr Error error_columns[] = {{id::error_Hc, &StepRow::error_Hc},
+                                   {id::error_Hm, &StepRow::error_Hm},
+                                   {id::error_P_max, &StepRow::error_P_max},
+                                   {id::error_mu, &StepRow::error_mu}};
 /// Unknown where there is no steady state.
 constexpr const char* quasi_columns[] = {"Hc_quasi_steady", "Hm_quasi_steady", "P_max_quasi_steady"};
 
@@ -58,7 +58,8 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
         {quasi_columns[2], "p_h", "highest pressure of the steady state at this time", &StepRow::P_max_quasi});
   }
   for (const auto& [name, error] : error_columns)
-    if (kind.errors) columns.push_back({name, "-", "estimated relative error of mesh and time steps", error});
+    if (kind.errors && (error != &StepRow::error_mu || std::ranges::count(added, id::mu) > 0))
+      columns.push_back({name, "-", "estimated relative error of mesh and time steps", error});
   if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
@@ -100,7 +101,7 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   return columns;
 }
 
-/// Larger than any pressure, film, time or derivative of a run: a larger number was not written by this program.
+/// Larger than any number of a run.
 constexpr double largest_credible = 1e20;
 
 [[noreturn]] void damaged(const std::string& path, const std::string& what) {
@@ -291,8 +292,7 @@ void check_fits(const TransientResult& before, const Case& input, const std::str
     for (const core::Field* field : {&frame.P, &frame.H, &frame.theta})
       if (field->nodes_x() > 0 && !fits(*field))
         damaged(path, "its fields belong to another grid than that of its deck");
-    const bool needs_P = input.subsurface.has_value();
-    if ((needs_P && !fits(frame.P)) || !std::ranges::all_of(frame.measured, fits))
+    if ((input.subsurface && !fits(frame.P)) || !std::ranges::all_of(frame.measured, fits))
       damaged(path, "it lacks fields that its deck asks for");
   }
 }

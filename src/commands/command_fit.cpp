@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/exit_status.hpp"
 #include "base/progress.hpp"

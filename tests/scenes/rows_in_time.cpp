@@ -152,6 +152,25 @@ BOOST_AUTO_TEST_CASE(error_bars_hold) {
   BOOST_TEST((coarse.status == 2 && contains(coarse.err, "[transient] error = on")), coarse.err);
 }
 
+// A moving map needs 30 cells per wave: its waves are 0.6 radii long, and 64 and 256 cells give 8.5 and 34 to each.
+BOOST_AUTO_TEST_CASE(short_waves_of_a_moving_map_are_told) {
+  const support::TemporaryFolder folder;
+  std::string map;
+  for (int l = 0; l < 40; ++l) {
+    for (int k = 0; k < 48; ++k) map += (k > 0 ? "," : "") + std::to_string(std::sin(0.5236 * k));
+    map += "\n";
+  }
+  folder.write("m.csv", map);
+  folder.write("m.ini",
+               "[contact]\nM = 20\nL = 5\n[lubricant]\nalpha = 2e-8\n[domain]\nx_inlet = -3\nx_outlet = 1.5\ny_half = "
+               "2\n[grid]\ncells = 64\n[surface1]\nshape = map\nfile = m.csv\nunit = 1e-3\ndx = 0.05\nx = -2\n"
+               "[transient]\nend_time = 3\n");
+  const support::Ended coarse = support::ehl(folder, "check m.ini"),
+                       fine = support::ehl(folder, "check m.ini --set grid.cells=256");
+  BOOST_TEST((contains(coarse.out, "[short-waves]") && contains(coarse.out, "use at least 256 cells")), coarse.out);
+  BOOST_TEST((fine.status == 0 && !contains(fine.out, "[short-waves]")), fine.out << fine.err);
+}
+
 // Venner, Couhier, Lubrecht and Greenwood 1997, Table 1: A_d/A_i of waves in pure rolling.
 BOOST_AUTO_TEST_CASE(waves_keep_the_published_share_of_their_height) {
   const support::TemporaryFolder folder;

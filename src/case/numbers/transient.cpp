@@ -13,6 +13,7 @@ bool repeats(Of s) { return !std::isnan(s.input.transient->parameters.period); }
 bool has_states(Of s) { return in_time(s).states.has_value(); }
 bool counts_oil_in_time(Of s) { return s.input.transient->conditions.conserves_mass; }
 bool runs_in_time(Of s) { return s.computed.in_time.has_value(); }
+bool rubs(Of s) { return !values_of(in_time(s), id::mu).empty(); }
 bool has_errors(Of s) { return runs_in_time(s) && in_time(s).errors.has_value(); }
 
 /// One of the columns whose extremes and means are numbers of the run.
@@ -131,7 +132,10 @@ std::vector<Group> errors_of_transient() {
   };
   for (const Course& course : courses)
     for (const Kind& kind : kinds) add(course.name, kind.prefix);
-  for (const Kind& kind : kinds) add(id::mu, kind.prefix);
+  for (const Kind& kind : kinds) {
+    add(id::mu, kind.prefix);
+    group.numbers.back().only_if = rubs;
+  }
   return {group};
 }
 
