@@ -122,4 +122,11 @@ void CellDeformation::evaluate(const std::vector<double>& p, std::vector<double>
   transform_.inverse(spectrum_, u);
 }
 
+void CellDeformation::invert(const std::vector<double>& u, std::vector<double>& p) {
+  transform_.forward(u, spectrum_);
+  spectrum_[0] = 0.0;
+  for (std::size_t n = 1; n < spectrum_.size(); ++n) spectrum_[n] /= response_[n];
+  transform_.inverse(spectrum_, p);
+}
+
 }  // namespace ehl::asperities

@@ -56,6 +56,8 @@ class CellDeformation {
  public:
   CellDeformation(const Cell& cell, double E_prime, int threads);
   void evaluate(const std::vector<double>& p, std::vector<double>& u);
+  /// The pressure of a deformation, without a mean.
+  void invert(const std::vector<double>& u, std::vector<double>& p);
 
  private:
   CosineTransform transform_;

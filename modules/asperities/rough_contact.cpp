@@ -21,7 +21,8 @@ class ContactIteration {
         p_(std::move(start)),
         gap_(p_.size()),
         direction_(p_.size()),
-        change_(p_.size()) {
+        change_(p_.size()),
+        smoothed_(p_.size()) {
     scale();
     update_gap();
   }
@@ -50,7 +51,7 @@ class ContactIteration {
   const RoughCell& rough_;
   double mean_;
   CellDeformation deformation_;
-  std::vector<double> p_, gap_, direction_, change_;
+  std::vector<double> p_, gap_, direction_, change_, smoothed_;
   std::vector<double> old_p_{}, old_gap_{};  // of the step before, for the accelerated gradient
   double momentum_ = 1.0;                    // its sequence t_k; 1: begins again
   double separation_ = 0.0, error_ = 0.0;
@@ -93,24 +94,35 @@ void ContactIteration::update_gap() {
     if (p_[n] > 0.0) most_yielded = std::max(most_yielded, gap_[n]);
   }
   separation_ = any_free ? -mean_over_free(gap_) : -0.5 * (least_open + most_yielded);
-  double loaded = 0.0, overlap = 0.0;
+  double loaded = 0.0, overlap = 0.0, all = 0.0;
   for (std::size_t n = 0; n < gap_.size(); ++n) {
     gap_[n] += separation_;
+    all += gap_[n];
     if (p_[n] > 0.0)
       loaded += p_[n] * (free(n) ? std::abs(gap_[n]) : std::max(0.0, gap_[n]));
     else
       overlap += std::max(0.0, -gap_[n]);
   }
-  error_ = (loaded / mean_ + overlap) / static_cast<double>(gap_.size());
+  error_ = std::isfinite(all) ? (loaded / mean_ + overlap) / static_cast<double>(gap_.size()) : core::unknown;
 }
 
+// The residual is the gap at the free points; the preconditioner, which is exact in full contact, makes a pressure of
+// it.
 void ContactIteration::step() {
-  double square = 0.0;
+  for (std::size_t n = 0; n < p_.size(); ++n) change_[n] = free(n) ? gap_[n] : 0.0;
+  deformation_.invert(change_, smoothed_);
+  const double offset = mean_over_free(smoothed_);
+  double square = 0.0, plain = 0.0;
   for (std::size_t n = 0; n < p_.size(); ++n)
-    if (free(n)) square += gap_[n] * gap_[n];
+    if (free(n)) {
+      smoothed_[n] -= offset;
+      square += gap_[n] * smoothed_[n];
+      plain += gap_[n] * gap_[n];
+    }
   const double share = conjugate_ ? square / old_square_ : 0.0;
+  const double stiffness = plain > 0.0 ? square / plain : 0.0;  // pressure over gap, for points at a bound
   old_square_ = square;
-  for (std::size_t n = 0; n < p_.size(); ++n) direction_[n] = free(n) ? gap_[n] + share * direction_[n] : 0.0;
+  for (std::size_t n = 0; n < p_.size(); ++n) direction_[n] = free(n) ? smoothed_[n] + share * direction_[n] : 0.0;
 
   deformation_.evaluate(direction_, change_);
   const double mean = mean_over_free(change_);
@@ -128,7 +140,7 @@ void ContactIteration::step() {
     if (free(n))
       p_[n] = std::clamp(p_[n] - length * direction_[n], 0.0, rough_.hardness);
     else if (wrong_at_bound)
-      p_[n] = std::clamp(p_[n] - length * gap_[n], 0.0, rough_.hardness);
+      p_[n] = std::clamp(p_[n] - length * stiffness * gap_[n], 0.0, rough_.hardness);
   }
   conjugate_ = !released;
   scale();

@@ -34,11 +34,12 @@ struct CellContact {
 ///   gap >= 0 where p = 0,  gap <= 0 where p = hardness
 ///
 /// The error is the mean of |gap| in contact, weighted with the pressure, plus the mean overlap outside it, both over
-/// the root mean square height. The solution is found by conjugate gradients with projection. in: start: a pressure to
-/// begin with; empty: the mean everywhere. limits: 0 < mean_pressure < hardness. cost: two cosine transforms each way
-/// per iteration. source: Polonsky and Keer (1999), Wear 231, 206, with the mean pressure kept by scaling; the hardness
-/// as a second bound is treated like the first one. What this has not solved in 200 iterations because of the hardness
-/// is left to an accelerated projected gradient.
+/// the root mean square height. Method: conjugate gradients with projection, preconditioned by the response of the
+/// whole cell, so that near full contact the number of iterations hardly grows with the range of scales. in: start: a
+/// pressure to begin with; empty: the mean everywhere. limits: 0 < mean_pressure < hardness. cost: three cosine
+/// transforms each way per iteration. source: Polonsky and Keer (1999), Wear 231, 206, with the mean pressure kept by
+/// scaling; the hardness as a second bound is treated like the first one. What this has not solved in 200 iterations
+/// because of the hardness is left to an accelerated projected gradient.
 CellContact solve(const RoughCell& rough, double mean_pressure, const std::vector<double>& start, double tolerance,
                   int max_iterations);
 
