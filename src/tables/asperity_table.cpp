@@ -16,7 +16,7 @@ using asperities::MapRow;
 
 /// Difference of the gap on half of the points, in Sq, from which on it is worth a warning; of a flow factor likewise.
 constexpr double much_in_gap = 0.1, much_in_factor = 0.05;
-constexpr double oblique_lay = 0.3, few_waves = 5.0, skewed = 0.5;
+constexpr double oblique_lay = 0.3, fewest_lengths = 10.0, skewed = 0.5;
 
 std::string map_text(const AsperityRun& run) {
   const asperities::Cell& cell = run.result.cell;
@@ -112,8 +112,10 @@ core::Warnings asperity_warnings(const AsperityRun& run) {
                                "to {:.2f} Sq and a flow factor by up to {:.3f}; a finer map, or a larger "
                                "--points, is needed",
                                gap, factor)});
-  const double waves = std::min(cell.length_x() / z.correlation_x, cell.length_y() / z.correlation_y);
-  if (!(waves > 2.0 * few_waves))
+  // A lay along one axis may have no end there.
+  const double x = cell.length_x() / z.correlation_x, y = cell.length_y() / z.correlation_y;
+  const bool few_x = x < fewest_lengths, few_y = y < fewest_lengths;
+  if (few_x || few_y || !(std::isfinite(x) || std::isfinite(y)))
     warnings.push_back({"longest_wave",
                         "the longest waves are as long as the map, so it is no fair sample of them: "
                         "measure a larger area, or take long waves away with --longest_wave"});

@@ -2,10 +2,13 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "asperities/flow_factors.hpp"
+#include "asperities/gap_table.hpp"
 #include "asperities/rough_map.hpp"
 #include "random_map.hpp"
+#include "support/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_asperity_map)
 
@@ -67,6 +70,52 @@ BOOST_AUTO_TEST_CASE(a_gaussian_map_follows_the_known_laws) {
   BOOST_TEST(least > 1.5);
   BOOST_TEST(most < 2.6);
   BOOST_TEST(gap_error < 0.1);
+}
+
+// A table with all columns reads back as a law and as factors that pass through its rows.
+BOOST_AUTO_TEST_CASE(the_table_of_a_map_is_a_law) {
+  const auto result = of(gaussian(32, 1.0, 3), true, 5);
+  std::ostringstream text;
+  text.precision(17);
+  const char* between = "";
+  for (const auto& column : asperities::map_columns()) {
+    text << between << column.name << " [" << column.unit << "]";
+    between = ",";
+  }
+  for (const auto& row : result.rows) {
+    between = "\n";
+    for (const auto& column : asperities::map_columns()) {
+      text << between << column.of(row);
+      between = ",";
+    }
+  }
+  const support::TemporaryFolder folder;
+  const auto read = asperities::read_gap_table(folder.write("map.csv", text.str()));
+  BOOST_REQUIRE(std::holds_alternative<asperities::GapTable>(read));
+  const auto& table = std::get<asperities::GapTable>(read);
+  BOOST_TEST(table.touching() == 5U);
+  BOOST_TEST(table.gap.size() == 8U);
+  const auto factors = asperities::flow_factors(table, 1.0);
+  double worst = 0.0;
+  for (const auto& row : result.rows) {
+    std::vector<double> out(1);
+    asperities::phi_x(factors, std::vector<double>{row.gap}, out);
+    worst = std::max(worst, std::abs(out[0] - row.phi_x));
+  }
+  BOOST_TEST_MESSAGE("phi_x at the rows: " << worst << " (tolerance 1e-12)");
+  BOOST_TEST(worst < 1e-12);
+}
+
+// Nothing may depend on the number of threads.
+BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits) {
+  const auto z = gaussian(32, 1.0, 5);
+  std::vector<double> numbers[2];
+  for (const int threads : {1, 2})
+    for (const auto& row :
+         asperities::compute(z, 4e-6, 4e-6, {.E_prime = 226e9, .hardness = 5e9, .rows = 4, .threads = threads}).rows)
+      numbers[threads - 1].insert(numbers[threads - 1].end(), {row.gap, row.film, row.area, row.phi_x, row.phi_y});
+  BOOST_TEST(numbers[0].size() >= 15U);
+  BOOST_TEST((numbers[0] == numbers[1]));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
