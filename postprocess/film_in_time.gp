@@ -10,7 +10,7 @@ plot for [k = 1:bars] $table_transient using (T(column("time"))):(low_end("Hc"))
      $table_transient using (T(column("time"))):"Hc" with lines lw 1 lc rgb blue title "centre", \
      $table_transient using (T(column("time"))):"Hm" with lines lw 1 lc rgb red title "minimum", \
      for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("Hc_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#56b4e9" title quasi > 0 ? "quasi-steady" : "", \
-     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("Hm_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" notitle, \
+     for [k = 1:quasi] $table_transient using (T(column("time"))):(steady("Hm_quasi_steady")) with lines lw 1 dt (6, 3) lc rgb "#e69f00" title quasi > 0 ? "its minimum" : "", \
      for [k = 1:probes] $table_transient using (T(column("time"))):(probes > 0 ? column(sprintf("H_%d", k)) : NaN) with lines lw 0.8 \
          lc rgb probe_colour(k) title probes > 0 ? place(k) : ""
 unset logscale y

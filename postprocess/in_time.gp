@@ -30,13 +30,17 @@ probe_colour(k) = word("#e69f00 #009e73 #cc79a7 #56b4e9 #8c510a #444444", (k - 1
 set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
 # An axis for a quantity that may be constant: gnuplot warns of a range of zero length.
 alike(low, high) = high - low <= 1e-9 * (abs(low) + abs(high))
+# The margin keeps a curve away from the frame.
 span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 * low : 0, high > 0 ? 2 * high : 1) : \
-    "set yrange [*:*]"
-# The key of the film has as many rows as its entries need; gnuplot makes all columns as wide as the longest one.
+    sprintf("set yrange [%g:%g]", low - 0.05 * (high - low), high + 0.05 * (high - low))
+# The oil enters from both sides in turn if the motion reverses.
+stats $table_transient using "speed" nooutput prefix "S"
+if (S_min < 0) { axis_along = axis_X.", motion ↔" } else { if (S_max == 0) { axis_along = axis_X } }
+# The key of the film has as many rows as its entries need (more_rows: their height without the first); gnuplot makes all columns as wide as the longest one.
 longest_entry = quasi > 0 ? 12 : 7
 do for [k = 1:probes] { longest_entry = greater(longest_entry, strlen(place(k))) }
 entries_in_row = int((wide - m(21)) / (mm_of(longest_entry) + m(11.2)))
-top = top + 4 * ((1 + quasi + probes) / (entries_in_row > 0 ? entries_in_row : 1))
+more_rows = 4 * ((1 + 2 * quasi + probes) / (entries_in_row > 0 ? entries_in_row : 1))
 # Panel k of `panels`, counted from the top, with space for labels with three decimals.
 share = "(high - m(top + 9.5)) / panels"
 panel(k) = box(m(17), m(4), high - m(top + 4) - k * @share + m(4.5), m(top + 4) + (k - 1) * @share).(k > 1 ? "; unset label 100; " : "; ").key_above

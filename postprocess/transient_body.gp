@@ -8,6 +8,7 @@ load here."/in_time.gp"
 
 probes = 0
 panels = 3
+top = top + more_rows
 high = 36 * stretch * panels + m(top + 8)
 eval page
 set multiplot
@@ -27,8 +28,8 @@ set xzeroaxis lw 0.5 lc rgb grey
 set format x "%g"
 set xlabel axis_T offset 0, 0.4
 set yrange [*:*]
-stats $table_transient using (column("velocity") / (si ? 1e3 : 1)) nooutput prefix "V"
+stats $table_transient using (column("velocity") * (si ? 1e3 : 1)) nooutput prefix "V"
 eval span(V_min, V_max)
 set ylabel si ? "velocity [mm/s]" : "velocity [a u_m/R]" offset 1, 0
-plot $table_transient using (T(column("time"))):(column("velocity") / (si ? 1e3 : 1)) with lines lw 1 lc rgb blue
+plot $table_transient using (T(column("time"))):(column("velocity") * (si ? 1e3 : 1)) with lines lw 1 lc rgb blue
 unset multiplot

@@ -7,6 +7,7 @@ load here."/result.gp"
 load here."/in_time.gp"
 
 probes = 0
+quasi = 0
 panels = 5 + heated
 high = 27 * stretch * panels + m(top + 8)
 # Before any panel sets a range, which `stats` would obey.
@@ -27,10 +28,12 @@ plot for [k = 1:bars] $table_transient using (T(column("time"))):(low_end("mu"))
      $table_transient using (T(column("time"))):"mu" with lines lw 1 lc rgb blue title "sliding"
 eval panel(2)
 set ylabel "μ_{rolling}" offset 1, 0
+set format y "%g"
 eval span(R_min, R_max)
 eval few(R_min, R_max)
 plot $table_transient using (T(column("time"))):"mu_rolling" with lines lw 1 lc rgb green title "rolling"
 eval panel(3)
+set format y "% h"
 set ylabel si ? "power [W".(size_of("/grid/y") > 1 ? "]" : "/m]") : "power [F_0 u_m]" offset 1, 0
 eval span(W_min, W_max)
 eval few(W_min, W_max)
@@ -50,7 +53,7 @@ if (heated) {
 eval panel(panels)
 set format x "%g"
 set xlabel axis_T offset 0, 0.4
-set ylabel "F/F_0, u/u_m" offset 1, 0
+set ylabel "F/F_0, u/u_m, slip" offset 1, 0
 set yrange [*:*]
 eval span(L_min < S_min ? L_min : S_min, L_max > S_max ? L_max : S_max)
 plot $table_transient using (T(column("time"))):"load" with lines lw 1 lc rgb blue title "load", \

@@ -12,6 +12,7 @@ stats $table_transient using "load" nooutput prefix "L"
 stats $table_transient using "speed" nooutput prefix "S"
 driven = L_min < L_max || S_min < S_max
 panels = 3 + driven
+top = top + more_rows
 high = 30 * stretch * panels + m(top + 8)
 eval page
 set multiplot

@@ -58,7 +58,7 @@ high = 84 * stretch + m(top + 20)
 top = top + 8  # the key of the curves has three rows
 eval page
 set multiplot
-set xtics steps_of(right - left)
+set xtics steps_along(left, right, wide - m(21))
 set xrange [left:right]
 set palette defined (0 "#f89540", 0.25 "#e16462", 0.5 "#b12a90", 0.75 "#6a00a8", 1 "#0d0887")
 unset colorbox
@@ -70,7 +70,7 @@ set ylabel axis_H offset 1, 0
 if (far_apart) { set logscale y; set format y "10^{%L}"; set ylabel axis_H offset 0, 0; set yrange [low / 1.5:highest * 1.5] } else { set yrange [below_zero(low):1.4 * highest] }
 films = ""
 set key title axis_T
-do for [k = 0:shown - 1] { films = films.curve("H", k, sprintf("title '%.3g'", time_of(frame(k)))) }
+do for [k = 0:shown - 1] { films = films.curve("H", k, sprintf("title '%.4g'", time_of(frame(k)))) }
 eval films
 unset logscale y
 set format y "% h"

@@ -19,9 +19,9 @@ high = 132 * stretch + m(top)
 eval page
 set multiplot
 set xrange [left:right]
-set xtics steps_of(right - left) offset 0, 0.5
+set xtics steps_along(left, right, wide - m(38)) offset 0, 0.5
 set yrange [T(K_min):K_max > K_min ? T(K_max) : T(K_min) + 1]
-set ylabel axis_T offset -0.4, 0
+set ylabel axis_T offset 0, 0
 set view map
 # The times need not be evenly spaced.
 set pm3d map interpolate 1, 4
@@ -30,7 +30,7 @@ tall = (high - m(top + 16)) / panels
 below(panel) = m(11) + (panels - panel) * (tall + m(5))
 above(panel) = m(top) + (panel - 1) * (tall + m(5))
 do for [panel = 1:panels] {
-  eval box(m(14), m(20), below(panel), above(panel))
+  eval box(m(18), m(20), below(panel), above(panel))
   if (panel == panels) { set xlabel axis_along offset 0, 0.8; set format x "%g" } else { unset xlabel; set format x "" }
   set cblabel panel == 1 ? axis_H : axis_P
   eval bar(below(panel), above(panel))

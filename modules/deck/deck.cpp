@@ -166,6 +166,7 @@ void compute(Deck& deck, const std::string& section, const std::string& name, co
 
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause) {
   const Value& found = value(deck, section, name);
+  if (!found.from.empty() && !deck.errors.empty()) return;  // most likely a consequence of that error
   if (!found.from.empty()) {
     const std::string text = std::isnan(found.number) ? found.text : fmt::format("{:.6g}", found.number);
     add_error(

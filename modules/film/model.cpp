@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rheology/thinned_by_flow.hpp"
+
 namespace ehl::film {
 namespace {
 
@@ -41,6 +43,46 @@ rheology::ShearThinning thinning(const Model& model, const Station& station) {
 
 void multiply(std::span<double> values, const std::vector<double>& by) {
   for (std::size_t k = 0; k < values.size(); ++k) values[k] *= by[k];
+}
+
+// The limiting stress is at least the one at which thinning begins. out: over p_h.
+double least_limit(const Model& model) { return model.limit->stress / model.thinning->k; }
+
+// Stress of sliding over its limit. in: fluidity across the direction of sliding, which gives the mean stress.
+double over_limit(const Model& model, const Station& station, std::size_t k, double across) {
+  const double H = std::max(station.H[k], rheology::least_film);
+  const double limit = std::max(model.limit->share * station.P[k], least_limit(model));
+  return model.limit->stress * station.sliding / (H * across * limit);
+}
+
+// Multiplies the mobilities by over_limit() where that is above 1.
+void apply_limit(const Model& model, const Station& station, std::span<double> along, std::span<double> across) {
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    const double over = over_limit(model, station, k, across[k]);
+    if (!(over > 1.0)) continue;
+    along[k] *= over;
+    across[k] *= over;
+  }
+}
+
+// d ln(over_limit)/dP and /dH, 0 below the limit. in: fluidity before thinning, d ln(across)/d ln(fluidity), d ln
+// eta_bar/dP.
+struct LimitSlopes {
+  double by_P = 0.0, by_H = 0.0;
+};
+std::vector<LimitSlopes> limit_slopes(const Model& model, const Station& station, std::span<const double> fluidity,
+                                      const std::vector<double>& theta_across, const std::vector<double>& slope) {
+  std::vector<LimitSlopes> all(station.P.size());
+  if (!model.limit) return all;
+  std::vector<double> along(all.size()), across(all.size());
+  rheology::film_fluidity(thinning(model, station), station.H, fluidity, along, across);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!(over_limit(model, station, k, across[k]) > 1.0)) continue;
+    const double P = station.P[k], H = station.H[k];
+    all[k] = {theta_across[k] * slope[k] - (model.limit->share * P > least_limit(model) ? 1.0 / P : 0.0),
+              H > rheology::least_film ? -theta_across[k] / H : 0.0};
+  }
+  return all;
 }
 
 // eps = rho_bar H^3 phi/lambda with d ln phi = -theta d ln eta_bar + (theta - 1) dH/H; theta = 1 without thinning.
@@ -87,6 +129,7 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   if (anisotropic(model)) {
     const std::span<double> along = part(station, buffers.along), across = part(station, buffers.across);
     rheology::film_fluidity(thinning(model, station), station.H, fluidity, along, across);
+    if (model.limit) apply_limit(model, station, along, across);
     epsilon(station.H, out.rho_bar, along, model.lambda, out.eps);
     epsilon(station.H, out.rho_bar, across, model.lambda, out.eps_across);
   } else {
@@ -111,6 +154,7 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
   }
   if (thins) {
     rheology::film_fluidity(thinning(model, station), station.H, fluidity, out.fluidity, out.fluidity_across);
+    if (model.limit) apply_limit(model, station, out.fluidity, out.fluidity_across);
     std::ranges::copy(out.log_viscosity, out.log_viscosity_across.begin());
     rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
     rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
@@ -149,6 +193,12 @@ void oil_slopes(const Model& model, const Station& station, Buffers& buffers, co
     write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
   }
   write(buffers.along, out.log_viscosity_P, out.log_viscosity_H);
+  if (!model.limit) return;
+  const auto limits = limit_slopes(model, station, part(station, buffers.fluidity), buffers.across, buffers.slope);
+  for (const auto& by_P : {out.log_viscosity_P, out.log_viscosity_across_P})
+    for (std::size_t k = 0; k < by_P.size(); ++k) by_P[k] -= limits[k].by_P;
+  for (const auto& by_H : {out.log_viscosity_H, out.log_viscosity_across_H})
+    for (std::size_t k = 0; k < by_H.size(); ++k) by_H[k] -= limits[k].by_H;
 }
 
 void slopes(const Model& model, const Station& station, const Coefficients<const double>& at, Buffers& buffers,
@@ -164,6 +214,16 @@ void slopes(const Model& model, const Station& station, const Coefficients<const
     epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
   }
   epsilon_slopes(station, at, at.eps, buffers.along, buffers.slope, out.eps_P, out.eps_H);
+  if (!model.limit) return;
+  const auto limits = limit_slopes(model, station, part(station, buffers.fluidity), buffers.across, buffers.slope);
+  const auto add = [&](std::span<const double> eps, std::span<double> by_P, std::span<double> by_H) {
+    for (std::size_t k = 0; k < eps.size(); ++k) {
+      by_P[k] += eps[k] * limits[k].by_P;
+      by_H[k] += eps[k] * limits[k].by_H;
+    }
+  };
+  add(at.eps, out.eps_P, out.eps_H);
+  add(at.eps_across, out.eps_across_P, out.eps_across_H);
 }
 
 void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,

@@ -38,6 +38,13 @@ struct Station {
   double sliding = 1.0;  ///< factor on k of the shear thinning: speed of sliding over that in the model
 };
 
+/// Limiting shear stress of sliding: where the film would carry more than share P, it flows in all directions with the
+/// viscosity limit/rate.
+struct StressLimit {
+  double stress = 0.0;  ///< of the model's sliding over p_h, at H = 1 and eta_bar = 1
+  double share = 0.0;   ///< Lambda > 0
+};
+
 /// eps = rho_bar H^3/(eta_bar lambda) (eq. 5), Q = rho_bar H.
 struct Model {
   double lambda = 1.0;  ///< 6 eta0 u_s R_x^2/(a^3 p_h)
@@ -45,7 +52,8 @@ struct Model {
   rheology::DensityLaw density;
   /// Shear thinning by sliding along X, which makes epsilon along X and along Y differ.
   std::optional<rheology::ShearThinning> thinning{};
-  bool has_factors = false;  ///< the coefficients have factors, which come with each column
+  bool has_factors = false;            ///< the coefficients have factors, which come with each column
+  std::optional<StressLimit> limit{};  ///< only with thinning and with factors, of which `fluidity` is 1
   /// If set, epsilon(X, Y) instead of the laws, with rho_bar = 1: the linear model problems of eqs. (9) and (19).
   std::function<double(double, double)> given_epsilon{};
 };

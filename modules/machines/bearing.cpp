@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "machines/number.hpp"
 
 namespace ehl::machines {
 namespace {
 
 using core::pi;
-constexpr double degree = pi / 180.0;
 
 // -1 for the inner race, which lies inside the circle of the centres; +1 for the outer.
 double side(const Bearing& bearing) { return bearing.race == Race::inner ? -1.0 : 1.0; }

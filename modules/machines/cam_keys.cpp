@@ -14,7 +14,7 @@
 namespace ehl::machines {
 namespace {
 
-constexpr double degree = core::pi / 180.0, revolution = 2.0 * core::pi;
+constexpr double revolution = 2.0 * core::pi;
 constexpr double rounding = 1e-6;  // of angles and lifts in a table
 
 deck::Records<Cam> records() {
@@ -138,6 +138,36 @@ void check_states(const deck::Part& cam, const std::vector<CourseState>& states,
                              lightest.place, lightest.load * cam.number("face_width")));
 }
 
+// Reports a state of [contact] and [motion] that draws the oil in from the other side, as near the nose.
+void check_entrainment(const deck::Part& cam, const std::vector<CourseState>& states, const CamState& at_angle) {
+  if (at_angle.u1 + at_angle.u2 > 0.0) return;
+  const CourseState& fastest = std::ranges::max(states, {}, [](const CourseState& one) { return one.u1 + one.u2; });
+  cam.complain("angle",
+               fmt::format("there the entrainment is u1 + u2 = {:.4g} m/s, and the oil must enter at negative x: give "
+                           "another angle, as of {}; [transient] cycle = machine with mode = both computes the states "
+                           "of all angles",
+                           at_angle.u1 + at_angle.u2, fastest.place));
+}
+
+// The largest error of a course that is linear between the states, at their middles: of the radius and of u1 + u2, over
+// the range of each.
+double error_of_states(const Cam& cam, const std::vector<CourseState>& states, double start, double omega) {
+  const auto sum = [](const CourseState& one) { return one.u1 + one.u2; };
+  const auto [sharp, flat] = std::ranges::minmax(states, {}, &CourseState::radius_x);
+  const auto [slow, fast] = std::ranges::minmax(states, {}, sum);
+  double worst = 0.0;
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const CourseState &before = states[k - 1], &after = states[k];
+    const double share = (static_cast<double>(k) - 0.5) / static_cast<double>(states.size() - 1);
+    const CamState middle = state_at(cam, start + share * revolution, omega);
+    const double of_radius = middle.R - 0.5 * (before.radius_x + after.radius_x);
+    const double of_speed = middle.u1 + middle.u2 - 0.5 * (sum(before) + sum(after));
+    worst = std::max(
+        {worst, std::abs(of_radius) / (flat.radius_x - sharp.radius_x), std::abs(of_speed) / (sum(fast) - sum(slow))});
+  }
+  return worst;
+}
+
 }  // namespace
 
 std::vector<deck::Key> cam_keys() { return deck::keys_of("cam", records()); }
@@ -160,6 +190,7 @@ Contact read_cam(const deck::Part& part) {
     states.push_back(course_state(cam, start + (k < count ? share : 0.0) * revolution, omega, width, share * period));
   }
   check_states(part, states, error_of_second(cam));
+  check_entrainment(part, states, state_at(cam, start, omega));
   if (!part.deck.errors.empty()) return contact;
   contact.course = course_of(states);
 
@@ -168,6 +199,8 @@ Contact read_cam(const deck::Part& part) {
                      {"largest_lift", std::ranges::max(cam.lift.y), "m", "of the table"},
                      {"error_of_curvature", error_of_second(cam), "m",
                       "of s\" = d2s/dphi2, from a spline through every second row of the table"},
+                     {error_of_course, error_of_states(cam, states, start, omega), "-",
+                      "of radius_x and u1 + u2 in the middle between two states, over their ranges"},
                      {"lift_here", at_angle.lift, "m", "s at the angle"},
                      {"radius_x", at_angle.R, "m", "base_radius + s + s\" (Dyson and Naylor 1960)"},
                      {"u1", at_angle.u1, "m/s", "(pi rpm/30) radius_x, of the cam past the contact"},

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "machines/number.hpp"
 
 namespace ehl::machines {
 namespace {
 
 using core::pi;
-constexpr double degree = pi / 180.0;
 
 double involute(double angle) { return std::tan(angle) - angle; }
 

@@ -42,7 +42,8 @@ Contact read_impact(const deck::Part& part) {
   if (deck::word(part.deck, "contact", "kind") != "point")
     deck::complain(
         part.deck, "contact", "kind",
-        "must be point with [case] kind = impact: the approach of a line contact depends on the whole bodies");
+        "must be point with [case] kind = impact: the approach of a line contact depends on the whole bodies",
+        deck::Cause::by_itself);
   for (const char* coating : {"coating1_E", "coating2_E"})
     if (deck::given(part.deck, "contact", coating))
       deck::complain(part.deck, "contact", coating,

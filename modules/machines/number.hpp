@@ -1,11 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "deck/text_table.hpp"
 
 namespace ehl::machines {
+
+inline constexpr double degree = core::pi / 180.0;
 
 /// A number of a machine element, for text, JSON and result file.
 struct Number {
@@ -14,6 +18,9 @@ struct Number {
   std::string unit{};     ///< "-" for a pure number
   std::string formula{};  ///< formula and its source
 };
+
+/// The number that says how much a course deviates between its states.
+inline constexpr char error_of_course[] = "error_of_course";
 
 /// The columns of a course, as those of the table that [transient] cycle names: t [s], radius_x [m], load [N, of a line
 /// contact N/m], u1 and u2 [m/s].
@@ -30,5 +37,11 @@ struct Contact {
   /// The machine determines speeds only; the other keys of [contact] are the deck's.
   bool only_moves = false;
 };
+
+/// A number of the machine; nullptr if it has none of this name.
+inline const Number* find_number(const Contact& machine, const std::string& name) {
+  const auto number = std::ranges::find(machine.numbers, name, &Number::name);
+  return number == machine.numbers.end() ? nullptr : &*number;
+}
 
 }  // namespace ehl::machines

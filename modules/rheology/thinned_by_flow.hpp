@@ -5,8 +5,6 @@
 
 namespace ehl::rheology {
 
-/// Below this P the limiting stress is that of this pressure, because measured ones do not vanish with p.
-constexpr double least_P_of_limit = 1e-3;
 /// Lower bound of H, which keeps divisions by the film finite.
 constexpr double least_film = 1e-6;
 

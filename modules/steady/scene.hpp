@@ -91,6 +91,7 @@ struct Scene {
   std::string one_start_only{};
   std::optional<rheology::ShearThinning> thinning{};  ///< shear thinning; absent: Newtonian
   bool has_factors = false;  ///< an effect sets factors on the coefficients between cycles (film::FactorFields)
+  std::optional<film::StressLimit> limit{};  ///< limiting stress in the film; only with thinning and factors
   /// Oil layer that the surfaces bring, in units of H (or mass over rho0): mass conserving inlet and cavity. Empty: the
   /// inlet is full.
   std::function<double(double Y)> supply{};

@@ -129,8 +129,10 @@ void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Work
   if (setup_.flow_thinning) {
     const rheology::FlowThinned by =
         rheology::thinned_by_flow(*setup_.flow_thinning, at.H * at.I0 * at.fluidity, driven_x, driven_y);
-    // Where the limiting stress acts, the film flows with the viscosity limit/rate.
-    const Lanes limit = (setup_.limit * setup_.stress_of_P) * core::max(at.P, broadcast(rheology::least_P_of_limit));
+    // Where the limiting stress acts, the film flows with the viscosity limit/rate. Measured limits do not vanish with
+    // the pressure: they are at least the stress at which thinning begins.
+    const Lanes limit =
+        core::max((setup_.limit * setup_.stress_of_P) * at.P, broadcast(1.0 / setup_.flow_thinning->k_m));
     const Lanes over = core::max(broadcast(1.0), at.unlimited / limit);
     put(more_x_, over * by.along);
     put(more_y_, over * by.across);

@@ -1,10 +1,10 @@
 #pragma once
 // The conditions of a contact that vary in time, and the time steps that resolve them.
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "surface/relief.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/schedule.hpp"
@@ -14,11 +14,10 @@ namespace ehl::transient {
 
 /// Oil supplied at the inlet, as a factor on the supply of the scene.
 struct Supply {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Schedule factor{};
   /// Layer on each surface, in units of the scene's supply; at speeds of 1 both together make up that supply. NaN: the
   /// total layer does not depend on the speeds.
-  double layer1 = none, layer2 = none;
+  double layer1 = core::unknown, layer2 = core::unknown;
   bool is_flow = false;  ///< factor is a volume flow: at a lower speed the layer is thicker
 };
 
@@ -54,7 +53,7 @@ bool symmetric(const Conditions& conditions);
 /// Times in [0, end] at which a time step must end: jumps, corners, the quarters of short ramps, whole periods, and the
 /// end; ascending. in: period, NaN if the conditions do not repeat.
 std::vector<double> stops_of(const Conditions& conditions, double end,
-                             double period = std::numeric_limits<double>::quiet_NaN());
+                             double period = core::unknown);
 
 /// True if load, speed, radius or supply jumps at T.
 bool jumps_at(const Conditions& conditions, double T, double end);

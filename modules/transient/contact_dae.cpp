@@ -33,7 +33,9 @@ ContactDae::ContactDae(multigrid::Hierarchy& hierarchy, const Course& course, co
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
       stored_share_(hierarchy.finest().grid),
-      rho_(nodes_) {
+      rho_(nodes_),
+      before_(control.coupling != nullptr ? size() : 0),
+      now_(before_.size()) {
   const core::Patch& grid = hierarchy.finest().grid;
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;

@@ -186,6 +186,7 @@ class ContactDae {
   core::Field stored_share_;  ///< E/C of the effect
   core::Field stress_{};      ///< factor of the effect on the shear stress of sliding
   std::vector<double> rho_;
+  std::vector<double> before_, now_;  ///< states around the response of an effect
 };
 
 /// Allocates on the finest level the right-hand sides that a transient needs.

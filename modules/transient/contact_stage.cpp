@@ -148,19 +148,18 @@ void ContactDae::renew_coupling(const Stage& stage, int cycle) {
 StageResult ContactDae::respond(const Stage& stage, Iteration kind, double& rate) {
   multigrid::Level& level = hierarchy_.finest();
   StageResult all{.solved = false};
-  std::vector<double> before(size()), now(size());
   for (int pass = 0; pass < control_.tuning.patience; ++pass) {
-    state(before);
+    state(before_);
     take_factors(control_.coupling->respond(stage.T, level.P, level.H));
     multigrid::update_coefficients(hierarchy_, level);
     const StageResult again = iterate(stage, kind, rate);
     all.cycles += again.cycles;
     all.newton_steps += again.newton_steps;
     if (!again.solved) return all;
-    state(now);
+    state(now_);
     double sum = 0.0;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const double moved = stage.weights[k] * (now[k] - before[k]);
+    for (std::size_t k = 0; k < now_.size(); ++k) {
+      const double moved = stage.weights[k] * (now_[k] - before_[k]);
       sum += moved * moved;
     }
     all.solved = std::sqrt(sum / static_cast<double>(size())) <= stage.tolerance;

@@ -1,6 +1,7 @@
 #pragma once
 // An effect whose factors on the coefficients follow the state of a run in time, as heat does.
 #include <functional>
+#include <optional>
 
 #include "core/field.hpp"
 #include "film/model.hpp"
@@ -29,6 +30,8 @@ struct Coupling {
   std::function<void()> restart{};
   /// The effect responds before every cycle instead: its factors converge together with the state.
   bool in_cycles = false;
+  /// A limiting stress that belongs to the film model; the factors then lack it.
+  std::optional<film::StressLimit> limit{};
 };
 
 }  // namespace ehl::transient

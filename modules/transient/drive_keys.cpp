@@ -97,7 +97,7 @@ std::vector<Schedule::Point> points_of_words(const deck::Part& part, const std::
   for (const std::string& word : deck::split_words(text)) {
     const std::size_t colon = std::min(word.find(':'), word.size());
     const double T = deck::read_number(word.substr(0, colon)).value;
-    const double value = colon < word.size() ? deck::read_number(word.substr(colon + 1)).value : Scales::unset;
+    const double value = colon < word.size() ? deck::read_number(word.substr(colon + 1)).value : core::unknown;
     if (!std::isfinite(T + value)) {
       part.complain(key, "'" + word + "' is not of the form time:value, as in 1:1 1.1:1.3");
       return {};

@@ -91,7 +91,7 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
   for (std::string part; std::getline(parts, part, ',');) {
     const std::vector<std::string> words = deck::split_words(part);
     const Place place = words.size() == 2 ? Place{deck::read_number(words[0]).value, deck::read_number(words[1]).value}
-                                          : Place{Scales::unset, Scales::unset};
+                                          : Place{core::unknown, core::unknown};
     if (std::isnan(place.X + place.Y)) {
       output.complain("probe",
                       deck::quoted(deck::trimmed(part)) + " is not a point: write X Y, X Y, ... as in 0 0, 0.7 0.2");
@@ -185,7 +185,8 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   const deck::Part transient{deck, "transient"}, output{deck, "output"};
   Input input{.conditions = carried, .second = 1.0 / scales.time};
   const bool seconds = transient.word("time_unit") == "seconds";
-  if (seconds && std::isnan(scales.time))
+  const bool reported = scales.in_SI && !deck.errors.empty();  // why the scales are not known
+  if (seconds && std::isnan(scales.time) && !reported)
     transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);

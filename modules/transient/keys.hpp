@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,14 +11,13 @@ namespace ehl::transient {
 
 /// Units by which lengths, forces and times of a deck in SI are divided; NaN if the contact is not given in SI.
 struct Scales {
-  static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
-  bool in_SI = false;         ///< the deck uses SI keys, whether or not the contact can be converted
-  double a = unset;           ///< Hertz radius [m]
-  double height = unset;      ///< a^2/R [m]
-  double time = unset;        ///< a/u_m [s]
-  double load = unset;        ///< [N]
-  double radius = unset;      ///< R [m]
-  double u1 = 1.0, u2 = 1.0;  ///< speeds of [motion] over u_m
+  bool in_SI = false;             ///< the deck uses SI keys, whether or not the contact can be converted
+  double a = core::unknown;       ///< Hertz radius [m]
+  double height = core::unknown;  ///< a^2/R [m]
+  double time = core::unknown;    ///< a/u_m [s]
+  double load = core::unknown;    ///< [N]
+  double radius = core::unknown;  ///< R [m]
+  double u1 = 1.0, u2 = 1.0;      ///< speeds of [motion] over u_m
 };
 
 /// What is computed of a cycle: the run in time, the steady states of its single times, or both.
@@ -57,7 +55,7 @@ std::vector<deck::Key> cycle_keys();
 /// What a table of a cycle prescribes, with times in a/u_m. An empty schedule: the table lacks that column.
 struct Cycle {
   Schedule radius{}, load{}, u1{}, u2{};
-  double period = Scales::unset;  ///< NaN: the cycle is run through once
+  double period = core::unknown;  ///< NaN: the cycle is run through once
   std::vector<double> times{};    ///< of its rows
 };
 /// Reads the table; nullopt if the deck names none. in: unit of time in a/u_m. Errors are added to the deck.

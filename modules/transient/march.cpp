@@ -106,7 +106,9 @@ class March {
   // Scale of the error test. An approaching body will have a film of this order at impact.
   double film_scale() const {
     const double Hc = central_film(hierarchy_.finest());
-    return conditions_.body ? std::min(Hc, 0.1) : Hc;
+    if (!conditions_.body) return Hc;
+    // The reference contact of separated bodies may not have been found.
+    return Hc > 0.0 ? std::min(Hc, 0.1) : 0.01;
   }
 
   bool reach(Ida& ida, double stop) {
@@ -254,6 +256,7 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const double began = core::now();
   steady::Scene own = scene_in_time(scene, conditions);
   own.has_factors = coupling != nullptr;
+  if (coupling) own.limit = coupling->limit;
   const double of_unit = shift_of_unit(own);
   multigrid::Run run = steady::begin_multigrid(own, steady::Start{.coarsest = 32}, {});
   multigrid::Hierarchy& hierarchy = run.hierarchy;

@@ -1,10 +1,10 @@
 #pragma once
 // Time integration of a contact from its steady state, with varying load and speed and with moving surface features.
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/field.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -15,19 +15,19 @@ namespace ehl::transient {
 
 /// Parameters of a time integration; times in T.
 struct MarchParameters {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double end = 0.0;
-  double rtol = 1e-4;          ///< of IDA's error test
-  double longest_step = none;  ///< NaN: from the conditions (longest_step())
+  double rtol = 1e-4;                   ///< of IDA's error test
+  double longest_step = core::unknown;  ///< NaN: from the conditions (longest_step())
   double shortest_step = 1e-9;
   int most_steps = 100000;
-  double output_interval = none;  ///< time between two frames; NaN: only the first and the last
-  double stop_film = none;        ///< end when Hm falls to this value
-  double stop_steady = none;      ///< end when Hc, Hm and P_max change by less than this, relative, in a time of 1
-  double period = none;           ///< of the conditions; NaN: they do not repeat
-  double stop_periodic = none;    ///< end when Hc and Hm change by less than this, relative, from period to period
-  double start_of_means = none;   ///< extremes and means are taken from here on; NaN: see the key of this name
-  std::vector<Place> probes{};    ///< where P and H are recorded at every step
+  double output_interval = core::unknown;  ///< time between two frames; NaN: only the first and the last
+  double stop_film = core::unknown;        ///< end when Hm falls to this value
+  double stop_steady = core::unknown;  ///< end when Hc, Hm and P_max change by less than this, relative, in a time of 1
+  double period = core::unknown;       ///< of the conditions; NaN: they do not repeat
+  double stop_periodic =
+      core::unknown;            ///< end when Hc and Hm change by less than this, relative, from period to period
+  double start_of_means = core::unknown;  ///< extremes and means are taken from here on; NaN: see the key of this name
+  std::vector<Place> probes{};  ///< where P and H are recorded at every step
 };
 
 /// One accepted step.
@@ -47,13 +47,13 @@ struct StepRow {
   int rejected = 0;      ///< attempts that failed the error test
   int not_solved = 0;    ///< attempts whose equations were not solved
 
-  double Hc_quasi = MarchParameters::none;  ///< of the quasi-steady state at T, if it is known
-  double Hm_quasi = MarchParameters::none;
-  double P_max_quasi = MarchParameters::none;
+  double Hc_quasi = core::unknown;  ///< of the quasi-steady state at T, if it is known
+  double Hm_quasi = core::unknown;
+  double P_max_quasi = core::unknown;
 
   /// Relative error bars, if they are asked for; NaN where none is known.
-  double error_Hc = MarchParameters::none, error_Hm = MarchParameters::none, error_P_max = MarchParameters::none;
-  double error_mu = MarchParameters::none;
+  double error_Hc = core::unknown, error_Hm = core::unknown, error_P_max = core::unknown;
+  double error_mu = core::unknown;
 
   OilInTime oil{};
   std::vector<Probed> probed{};    ///< one entry per probe
@@ -111,11 +111,11 @@ struct MarchReport {
   std::string reason{};  ///< why it failed; of quasi-steady states, why the first was not found
   int steps = 0, cycles = 0, newton_steps = 0, rejected = 0, not_solved = 0, restarts = 0;
   double worst_load_error = 0.0;
-  double worst_oil_error = 0.0;                     ///< largest of all rows
-  double longest_step = 0.0;                        ///< longest step allowed
-  int periods = 0;                                  ///< whole periods
-  double change_of_period = MarchParameters::none;  ///< Periodic::change() at the end
-  int at_rest = 0, not_found = 0;  ///< quasi-steady states without entrainment, and those that were not found
+  double worst_oil_error = 0.0;             ///< largest of all rows
+  double longest_step = 0.0;                ///< longest step allowed
+  int periods = 0;                          ///< whole periods
+  double change_of_period = core::unknown;  ///< Periodic::change() at the end
+  int at_rest = 0, not_found = 0;           ///< quasi-steady states without entrainment, and those that were not found
   double seconds = 0.0;
   double seconds_of_surfaces = 0.0;  ///< of `seconds`, spent on the shape of the surfaces
   core::PartTimes times{};

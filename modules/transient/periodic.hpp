@@ -1,7 +1,8 @@
 #pragma once
 // Detects from the rows of the time steps that a contact repeats itself from period to period.
-#include <limits>
 #include <vector>
+
+#include "core/constants.hpp"
 
 namespace ehl::transient {
 
@@ -10,7 +11,6 @@ struct StepRow;
 /// Compares Hc and Hm of a period with those of the period before, at the same phase.
 class Periodic {
  public:
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   /// in: the period; NaN: nothing is compared and no row is stored.
   explicit Periodic(double period) : period_(period), next_(period) {}
 
@@ -29,7 +29,7 @@ class Periodic {
 
   double period_, next_;
   int periods_ = 0;
-  double change_ = unknown;
+  double change_ = core::unknown;
   std::vector<Film> films_{};  ///< of the last two periods
 };
 

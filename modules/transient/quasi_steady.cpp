@@ -16,7 +16,7 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double unknown = MarchParameters::none;
+using core::unknown;
 
 // M at a time: W (2U)^(-3/4), in a line contact W (2U)^(-1/2).
 double moes_load(const steady::Scene& scene, const Drive& drive) {
@@ -165,7 +165,6 @@ MarchReport quasi_steady(const steady::Scene& scene, const Conditions& condition
       try {
         reason = solve_state(scene, conditions, parameters, observer, going_on, row);
       } catch (const core::Interrupted&) {
-        reason = "interrupted";
         on = false;
       }
       if (!reason.empty()) ++report.not_found;

@@ -34,8 +34,8 @@ std::optional<Frame> steady_frame(const steady::Scene& scene, const Conditions& 
 ///     (contact::asymptotes, exact for a line contact), the pressures are NaN.
 ///   - A state that does not converge, as where the film is too thin for the grid, has NaN and is counted in
 ///     MarchReport::not_found; MarchReport::reason is that of the first one.
-/// `going_on` is called while a state is being solved and returns whether to continue; the state under way is then not
-/// found, and the report ends as interrupted.
+/// `going_on` is called while a state is being solved and returns whether to continue; if not, the state under way has
+/// NaN but does not count as not found, and the report ends as interrupted.
 /// in: scene and conditions as for march(), without a body and without reliefs on the surfaces; times, ascending;
 /// parameters, of which only `probes` is used. Effects at steps are not evaluated.
 MarchReport quasi_steady(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters,

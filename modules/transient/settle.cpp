@@ -116,10 +116,10 @@ void settle_together(multigrid::Hierarchy& hierarchy, ContactDae& dae, Drive fro
     settle(hierarchy, dae, std::exchange(from, start), start);
     if (change <= tolerance) return;
   }
-  throw core::SolverError(
-      fmt::format("the steady solution at the start of the run in time was not found with heat: the viscosity still "
-                  "changes by {:.1e} (limit {:.0e})",
-                  change, tolerance));
+  throw core::SolverError(fmt::format(
+      "the steady solution at the start of the run in time was not found: {} still changes the viscosity by "
+      "{:.1e} (limit {:.0e})",
+      coupling.in_cycles ? "the thinning by the pressure flow" : "the heat", change, tolerance));
 }
 
 }  // namespace

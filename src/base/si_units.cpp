@@ -15,7 +15,7 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   if (unit == "a^2/R") return {"nm", 1e9 * scales.h};
   if (unit == "p_h") return {"GPa", 1e-9 * scales.p_h};
   if (unit == "a/u_m") return {"ms", 1e3 * scales.time};
-  if (unit == "a u_m/R") return {"um/s", 1e6 * scales.h / scales.time};
+  if (unit == "a u_m/R") return {"m/s", scales.h / scales.time};
   if (unit == "F_0") return {"N", scales.load};
   if (unit == "F_0'") return {"N/m", scales.load};
   if (unit == "F_0 u_m") return {"W", scales.load * u_m};

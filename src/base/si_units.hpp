@@ -22,7 +22,7 @@ struct SiUnit {
   double factor = 1.0;  ///< a number in the unit of the contact times this factor is the number in `name`
 };
 
-/// The SI unit of a quantity: um for places, nm for films, GPa for pressures, ms for times, um/s for approach speeds,
+/// The SI unit of a quantity: um for places, nm for films, GPa for pressures, ms for times, m/s for approach speeds,
 /// N for forces, W for powers (of a line contact per m).
 /// in: a unit of the result file, "a^2/R".
 /// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.

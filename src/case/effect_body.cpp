@@ -68,7 +68,7 @@ std::string summary(const Case& input, const Computed& computed) {
                                  input.machine ? " of the dry impact" : " of [contact]");
   text += si ? fmt::format("; carried for {:.4g} ms", 1e3 * si->time * time)
              : fmt::format("; carried for {:.4g} a/u_m", time);
-  if (std::isnan(e)) return text + "; the body has not left at the end\n";
+  if (std::isnan(e)) return text + "; the body has not left at the end: a longer end_time computes the rebound\n";
   return text + fmt::format("; the body leaves with {:.4g} of its velocity and {:.4g} of its energy\n", e, e * e);
 }
 

@@ -65,7 +65,6 @@ Needs expense(const Case& input) {
   const Needs one_half = expense_in_time(input);
   Needs more{.bytes = nodes * sizeof(double), .seconds = share_of_a_step * one_half.seconds};
   if (asymmetry(input).empty()) return more;
-  constexpr double doubles_of_history = 30.0;  // the same value as in effect_transient.cpp
   more.bytes += nodes * sizeof(double) * doubles_of_history;
   more.seconds = 2.0 * more.seconds + one_half.seconds;
   return more;

@@ -31,7 +31,7 @@ transient::Coupling timed(const transient::Coupling& own, double* seconds) {
       return made;
     };
   };
-  return {count(own.settle), count(own.predict), count(own.respond), own.accept, own.restart, own.in_cycles};
+  return {count(own.settle), count(own.predict), count(own.respond), own.accept, own.restart, own.in_cycles, own.limit};
 }
 
 }  // namespace

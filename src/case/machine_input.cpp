@@ -39,6 +39,7 @@ bool of_the_bodies(const deck::Key& key) {
 bool follows(const deck::Key& key, const std::string& kind) {
   if (kind == machines::impact)
     return (key.section == "contact" && is_among(key.name, {"load", "load_per_length"})) || key.section == "body" ||
+           (key.section == "motion" && is_among(key.name, {"u1", "u2", "u_m", "srr"})) ||
            (key.section == "transient" && is_among(key.name, {"load", "load_wave", "cycle", "time_unit"}));
   if (kind == machines::reciprocating) return key.section == "motion" && is_among(key.name, {"u1", "u2", "u_m", "srr"});
   return (key.section == "contact" || key.section == "motion") && !of_the_bodies(key);
@@ -56,15 +57,9 @@ void refuse_what_follows(deck::Deck& deck, const machines::Contact& machine) {
   }
 }
 
-// A number of the machine; nullptr if it has none of this name.
-const machines::Number* find_number(const machines::Contact& machine, const std::string& name) {
-  const auto number = std::ranges::find(machine.numbers, name, &machines::Number::name);
-  return number == machine.numbers.end() ? nullptr : &*number;
-}
-
 // NaN after an error.
 double number_of(const machines::Contact& machine, const std::string& name) {
-  const machines::Number* number = find_number(machine, name);
+  const machines::Number* number = machines::find_number(machine, name);
   return number == nullptr ? core::unknown : number->value;
 }
 
@@ -88,7 +83,7 @@ void compute_contact(deck::Deck& deck, const machines::Contact& machine, const s
                                    {"contact", "radius_y"},
                                    {"motion", "u1"},
                                    {"motion", "u2"}})
-    if (const machines::Number* number = find_number(machine, name))
+    if (const machines::Number* number = machines::find_number(machine, name))
       compute(deck, part, name, number->value, section, number->formula);
 }
 
@@ -99,12 +94,9 @@ void compute_impact(deck::Deck& deck, const machines::Contact& machine) {
     if (!deck::given(deck, part, name)) compute(deck, part, name, value, section, why);
   };
   set("contact", "load", number_of(machine, "load"), "largest load of the dry impact");
-  if (!deck::called_for(deck, "motion") || deck::Part{deck, "motion"}.given_of({"u1", "u2", "u_m"}).empty()) {
-    const double speed = number_of(machine, "reference_speed");
-    for (const char* name : {"u1", "u2"}) {
-      set("motion", name, speed, "reference_speed, for the scales: the bodies do not roll");
-      if (!deck::given(deck, "transient", name)) compute(deck, "transient", name, "0:0", section, "no rolling");
-    }
+  for (const char* name : {"u1", "u2"}) {
+    set("motion", name, number_of(machine, "reference_speed"), "reference_speed, for the scales");
+    if (!deck::given(deck, "transient", name)) compute(deck, "transient", name, "0:0", section, "no rolling");
   }
   compute(deck, "transient", "time_unit", "seconds", section, "times in SI");
   set("transient", "end_time", number_of(machine, "end_time"), "gap/velocity + 1.5 dry_duration");

@@ -10,6 +10,9 @@ struct Needs {
   double seconds = 0.0;
 };
 
+/// Doubles per node of IDA's history of P and Q. [bench: needs_in_time]
+inline constexpr double doubles_of_history = 30.0;
+
 /// The grid of the deck. If an accuracy is asked for, the grid that will be found for it, to within one level, from
 /// rough estimates of two errors: that of the mesh, from the cell size relative to the zone in which the film is
 /// formed, and that of the domain, which decreases with the square of its size.

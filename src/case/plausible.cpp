@@ -14,6 +14,7 @@ constexpr double thickest_oil = 100.0;     // Pa s; ten times that of honey
 constexpr double fastest_surface = 200.0;  // m/s; reached in turbine bearings
 constexpr double surface_at_rest = 2.0;    // slide-roll ratio; above it one surface moves backwards
 constexpr double edge_that_cuts = 0.8;     // share of the mean load per length [bench: roller_edge_that_cuts]
+constexpr double coarse_course = 0.02;     // deviation over the range of what varies
 constexpr double thinnest_film = 1e-9;     // m; about one molecule of oil
 constexpr double thickest_film = 10e-6;    // m
 
@@ -31,6 +32,14 @@ core::Warnings hardly_meant(const Case& input) {
         {"roller-edge", fmt::format("edge loading: a slice model gives {:.2g} of the mean load per length at the ends "
                                     "of the roller, which few meshes resolve; let the profile fall further there",
                                     at_ends)});
+  const machines::Number* error = nullptr;
+  if (input.machine && deck::word(input.deck, "transient", "cycle") == "machine")
+    error = machines::find_number(*input.machine, machines::error_of_course);
+  if (error != nullptr && error->value > coarse_course)
+    warnings.push_back({"coarse-course",
+                        fmt::format("between the states of [{}] the course deviates by up to {:.2g} % of the range of "
+                                    "radius or speed: use more states",
+                                    input.machine->section, 100.0 * error->value)});
   if (!physics.si) return warnings;
   const double eta0 = physics.si->contact.eta0;
   if (eta0 > thickest_oil)

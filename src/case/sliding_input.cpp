@@ -91,6 +91,7 @@ void set_sliding(const contact::Input& input, Physics& physics) {
 
 void settle_sliding_at_start(Case& input) {
   if (!input.transient) return;
+  if (deck::given(input.deck, "transient", "cycle") && !deck::called_for(input.deck, "thermal")) return;
   const transient::Conditions& conditions = input.transient->conditions;
   const double at_start = value(conditions.u1, 0.0) - value(conditions.u2, 0.0);
   constexpr double rounding = 1e-9;

@@ -16,7 +16,7 @@ namespace ehl::program {
 void set_sliding(const contact::Input& input, Physics& physics);
 
 /// In time the sliding of the steady start is that of the schedules at time 0: sets it, or reports a deck that says
-/// something else.
+/// something else. With a cycle the scene may be another state, from which a run without heat does not start.
 void settle_sliding_at_start(Case& input);
 
 /// eta_0 u_m R/(a^2 p_h) = lambda (a/R)/12.

@@ -88,6 +88,8 @@ std::string time_text(const Case& input, double T) {
   return "time 0 to " + (input.transient->in_seconds ? ms + " (" + own + ")" : own + " (" + ms + ")");
 }
 
+constexpr double rounding_of_course = 1e-9;
+
 // The lines about a cycle: its scales, its periods, and its quasi-steady states.
 std::string cycle_lines(const Case& input, const TransientResult& result) {
   const transient::Input& march = *input.transient;
@@ -103,6 +105,12 @@ std::string cycle_lines(const Case& input, const TransientResult& result) {
         std::isnan(result.report.change_of_period)
             ? ""
             : fmt::format("; Hc and Hm of the last two differ by at most {:.1e}", result.report.change_of_period));
+  const double course = input.machine && input.machine->course ? input.machine->course->rows.back().values[0] : 0.0;
+  const double covered = result.report.T / march.second;
+  if (deck::word(input.deck, "transient", "cycle") == "machine" && completed(result) &&
+      covered < course * (1.0 - rounding_of_course))
+    text += fmt::format("  course     ends here at {:.4g} of {:.4g} ms: a longer end_time computes the rest\n",
+                        1e3 * covered, 1e3 * course);
   if (!result.states) return text;
   const transient::MarchReport& states = *result.states;
   return text + fmt::format(

@@ -76,6 +76,18 @@ po::parsed_options parsed(const Command& command, const std::vector<std::string>
   refuse(error.what());  // for instance "-=x"
 }
 
+// in: token, as typed: "--outptu=x", "-o".
+[[noreturn]] void refuse_option(const Command& command, const std::string& token) {
+  const std::string name = bare_name(token);
+  const auto begins =
+      std::ranges::find_if(command.options, [&](const Option& one) { return one.name.starts_with(name); });
+  const std::string advice = name.size() == 1 && begins != command.options.end()
+                                 ? ": did you mean --" + begins->name + "?"
+                                 : suggestion(name, names(command.options), "--");
+  refuse("`ehl " + command.name + "` has no option " + token.substr(0, token.find('=')) + advice + " See `ehl help " +
+         command.name + "`");
+}
+
 }  // namespace
 
 void refuse(const std::string& message) { throw core::InputError("command line: " + message); }
@@ -124,9 +136,7 @@ Arguments parse_arguments(std::vector<std::string> words, const std::vector<Comm
     }
     const std::string name = bare_name(one.unregistered ? one.original_tokens[0] : one.string_key);
     const Option* option = find(command.options, name);
-    if (option == nullptr)
-      refuse("`ehl " + command.name + "` has no option --" + name + suggestion(name, names(command.options), "--") +
-             " See `ehl help " + command.name + "`");
+    if (option == nullptr) refuse_option(command, one.original_tokens[0]);
     if (given.has(name) && !option->repeated) refuse("--" + name + " is given twice");
     given.options[name].push_back(one.value.empty() ? "" : one.value[0]);
   }

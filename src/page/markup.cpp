@@ -80,8 +80,8 @@ std::string escaped(const std::string& text) {
 std::string with_indices(const std::string& words) { return indices(words, {"<sub>", "</sub>", "<sup>", "</sup>"}); }
 
 std::string unit_words(const std::string& unit) {
-  static const std::map<std::string, std::string> known{{"-", ""},   {"um", "µm"},   {"a^2/R", "a²/R"},
-                                                        {"C", "°C"}, {"p_h", "p_h"}, {"um/s", "µm/s"}};
+  static const std::map<std::string, std::string> known{
+      {"-", ""}, {"um", "µm"}, {"a^2/R", "a²/R"}, {"C", "°C"}, {"p_h", "p_h"}};
   const auto found = known.find(unit);
   return found == known.end() ? unit : found->second;
 }

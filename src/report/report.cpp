@@ -95,7 +95,9 @@ std::string summary(const Case& input, const Computed& computed) {
   const Outcome& outcome = computed.outcome;
   const Physics& physics = input.physics;
   std::string text = continuation_table(input, solution) + level_table(input, solution);
-  if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
+  if (!solution.converged)
+    text += (computed.in_time ? "NOT CONVERGED, the reference contact: " : "NOT CONVERGED: ") + solution.failed_check +
+            "\n";
   // The films below belong to the steady start, so this message comes first.
   if (const std::string why = why_incomplete(computed.in_time); !why.empty())
     text += (computed.in_time->report.end == transient::MarchEnd::failed ? "NOT CONVERGED: " : "NOT COMPLETE: ") + why +

@@ -128,7 +128,7 @@ std::vector<results::Output> result_outputs(const std::string& path, bool overwr
 
 Ending ending_of(const Computed& computed, const std::string& to_go_on) {
   const std::optional<TransientResult>& in_time = computed.in_time;
-  if (!computed.solution.converged)
+  if (!computed.solution.converged && !in_time)
     return {computed.solution.accuracy.interrupted ? interrupted : not_converged,
             "not converged: " + computed.solution.failed_check};
   if (!in_time || completed(*in_time)) return {solved, {}};

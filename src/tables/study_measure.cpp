@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/machine.hpp"
+#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
@@ -100,7 +101,7 @@ StudyPoint measure_in_time(Case input, const StudyCase& variant, int samples) {
   transient::MarchParameters& march = input.transient->parameters;
   march.rtol = variant.rtol;
   march.longest_step = variant.longest_step;
-  march.output_interval = samples > 0 ? march.end / samples : transient::MarchParameters::none;
+  march.output_interval = samples > 0 ? march.end / samples : core::unknown;
   Progress silent(true);
   RunSettings settings{.progress = silent};
   settings.frame = [&](transient::Frame&& frame) {

@@ -32,15 +32,16 @@ Factors factors_of(const FlowSetup& setup, double sliding, Batch& at) {
   for (int lane = 0; lane < core::lanes; ++lane) fluidity[lane] = std::exp(-at.log_eta[lane]);
   const rheology::ShearThinning by_sliding{setup.thinning.law, setup.thinning.k_m * sliding};
   rheology::film_fluidity(by_sliding, flat(at.H), flat(fluidity), flat(along), flat(across));
-  const Lanes driven = (at.P > 0.0 ? core::broadcast(-1.0) : Lanes{}) * at.H * at.H / setup.lambda;
+  // The film model has the limiting stress for the mean stress without this flow; the factors have the rest.
+  const Lanes limit = core::max(setup.limit * at.P, core::broadcast(setup.stress_of_u / setup.thinning.k_m));
+  const Lanes over = setup.stress_of_u * sliding / (at.H * across * limit), one = core::broadcast(1.0);
+  const Lanes in_model = core::max(one, over);
+  const Lanes driven = (at.P > 0.0 ? core::broadcast(-1.0) : Lanes{}) * at.H * at.H * in_model / setup.lambda;
   const Lanes flow_x = driven * at.more_x * along * at.P_X, flow_y = driven * at.more_y * across * at.P_Y;
   const rheology::FlowThinned by = rheology::thinned_by_flow({setup.thinning.law, setup.thinning.k_m, sliding},
                                                              at.H * fluidity, flow_x, flow_y, &at.before);
-  // Where the limiting stress acts, the film flows with the viscosity limit/rate.
-  const Lanes tau = by.stress * (setup.stress_of_u * sliding) / (at.H * across);
-  const Lanes over = core::max(core::broadcast(1.0),
-                               tau / (setup.limit * core::max(at.P, core::broadcast(rheology::least_P_of_limit))));
-  return {over * by.along, over * by.across, by};
+  const Lanes rest = core::max(one, by.stress * over) / in_model;
+  return {rest * by.along, rest * by.across, by};
 }
 
 }  // namespace
@@ -55,7 +56,9 @@ transient::Coupling FlowInTime::coupling() {
           .respond = [this](double T, const core::Field& P, const core::Field& H) { return respond(T, grid_, P, H); },
           .accept = [] {},
           .restart = [] {},
-          .in_cycles = true};
+          .in_cycles = true,
+          .limit = std::isfinite(setup_.limit) ? std::optional(film::StressLimit{setup_.stress_of_u, setup_.limit})
+                                               : std::nullopt};
 }
 
 // The nodes of a line contact, or all nodes of a point contact, one after another in the lanes.

@@ -30,12 +30,13 @@ std::vector<Number> of_films(std::vector<Number> list) {
 
 std::vector<Number> film_numbers() {
   // A run in time that ended early has not converged, although its steady start has.
-  const auto incomplete = [](Of s) { return why_incomplete(s.computed.in_time); };
+  const auto why_not = [](Of s) {
+    return s.computed.in_time ? why_incomplete(s.computed.in_time) : solution(s).failed_check;
+  };
   return of_films(
       {number(id::converged, "-", "1: all checks passed, 0: not", only_if(always),
-              [=](Of s) { return solution(s).converged && incomplete(s).empty(); }),
-       number(id::failed_check, "", "empty when converged", only_if(always),
-              [=](Of s) { return incomplete(s).empty() ? solution(s).failed_check : incomplete(s); }),
+              [=](Of s) { return (solution(s).converged || s.computed.in_time) && why_not(s).empty(); }),
+       number(id::failed_check, "", "empty when converged", only_if(always), why_not),
        number(id::title, "", "title of the case", only_if(always), not_in_file, [](Of s) { return s.input.title; }),
        number(id::Hc, "a^2/R", "film at (0,0)", bar(id::error_Hc), label("central film H_c"), column(206),
               on_page(2, "central film, on this mesh"), [](Of s) { return outcome(s).Hc; }),

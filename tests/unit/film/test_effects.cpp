@@ -78,4 +78,51 @@ BOOST_AUTO_TEST_CASE(a_thinned_film_meets_the_changed_fluidity) {
   }
 }
 
+// Beyond the limit the film has the viscosity limit/rate, so the stress of sliding is Lambda P, at least that at which
+// thinning begins; and the slopes of epsilon are its differences.
+BOOST_AUTO_TEST_CASE(a_limited_film_carries_the_limiting_stress) {
+  const core::Patch grid{core::Grid{8, nodes - 1, 0.0, 1.0, 0.0, 1.0}};
+  const double tau_c = 0.004, k = 0.05, Lambda = 0.012;
+  film::Model model{.lambda = 0.3,
+                    .viscosity = rheology::Barus{5.0},
+                    .density = rheology::make_dowson_higginson(1e9),
+                    .thinning = rheology::ShearThinning{rheology::Eyring{}, k},
+                    .has_factors = true,
+                    .limit = film::StressLimit{k * tau_c, Lambda}};
+  const film::FactorFields factors = film::unit_factors(grid);
+  film::Buffers buffers = film::make_buffers(model, nodes);
+  const std::vector<double> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};
+  const auto values_at = [&](double more_P, double more_H) {
+    std::vector<double> p = P, h = H;
+    for (std::size_t n = 0; n < nodes; ++n) {
+      p[n] += more_P;
+      h[n] += more_H;
+    }
+    Values v;
+    film::coefficients(model, {grid, 3, p, h, false, &factors, 2.0}, buffers, {v.eps, v.across, v.rho, v.drho});
+    return v;
+  };
+  const Values v = values_at(0.0, 0.0);
+  Values slope;
+  film::slopes(model, {grid, 3, P, H, false, &factors, 2.0}, {v.eps, v.across, v.rho, v.drho}, buffers,
+               {slope.eps, slope.rho, slope.across, slope.drho});
+  const double d = 1e-6;
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const double viscosity = v.rho[n] * std::pow(H[n], 3) / (model.lambda * v.across[n]);
+    const double tau = viscosity * 2.0 * k * tau_c / H[n];
+    const double free = tau_c * std::asinh(2.0 * k * std::exp(5.0 * P[n]) / H[n]);
+    const double expected = std::min(free, std::max(Lambda * P[n], tau_c));
+    BOOST_TEST_MESSAGE("stress " << tau << ", expected " << expected << ", without limit " << free << " (1e-10)");
+    BOOST_TEST(std::abs(tau / expected - 1.0) < 1e-10);
+    const auto off = [&](double by, const Values& up, const Values& down, std::vector<double> Values::*eps) {
+      return std::abs(((up.*eps)[n] - (down.*eps)[n]) / (2.0 * d) / by - 1.0);
+    };
+    const Values P_up = values_at(d, 0), P_down = values_at(-d, 0), H_up = values_at(0, d), H_down = values_at(0, -d);
+    BOOST_TEST(off(slope.eps[n], P_up, P_down, &Values::eps) < 1e-6);
+    BOOST_TEST(off(slope.rho[n], H_up, H_down, &Values::eps) < 1e-6);
+    BOOST_TEST(off(slope.across[n], P_up, P_down, &Values::across) < 1e-6);
+    BOOST_TEST(off(slope.drho[n], H_up, H_down, &Values::across) < 1e-6);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

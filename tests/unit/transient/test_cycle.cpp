@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(half_the_radius_is_the_contact_of_that_radius) {
   BOOST_TEST(std::abs(before) > 0.05);
 }
 
-// A heavy line contact starts as a pair of teeth does, with a third of the load and of the radius: M and L of that state,
-// whose h is H a^2/R with a third of the scene's a^2/R.
+// A heavy line contact starts as a pair of teeth does, with a third of the load and of the radius: M and L of that
+// state, whose h is H a^2/R with a third of the scene's a^2/R.
 BOOST_AUTO_TEST_CASE(a_start_with_another_radius_is_the_contact_of_that_radius) {
   const double third = 1.0 / 3.0, M = 50, L = 10;
   const steady::Scene scene = roelands_line(M, L, core::line_grid(512, -4.5, 1.5));
@@ -82,6 +82,7 @@ BOOST_AUTO_TEST_CASE(a_state_under_way_can_be_stopped) {
   };
   const MarchReport report = quasi_steady(scene, {}, {}, {0.0, 1.0, 2.0}, {.row = keep}, [&] { return rows.empty(); });
   BOOST_TEST((report.end == MarchEnd::interrupted));
+  BOOST_TEST(report.not_found == 0);
   BOOST_TEST_REQUIRE(rows.size() == 2U);
   BOOST_TEST((rows[0].Hc > 0.0 && std::isnan(rows[1].Hc)));
 }
