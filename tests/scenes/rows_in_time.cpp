@@ -157,7 +157,10 @@ BOOST_AUTO_TEST_CASE(short_waves_of_a_moving_map_are_told) {
   const support::TemporaryFolder folder;
   std::string map;
   for (int l = 0; l < 40; ++l) {
-    for (int k = 0; k < 48; ++k) map += (k > 0 ? "," : "") + std::to_string(std::sin(0.5236 * k));
+    for (int k = 0; k < 48; ++k) {
+      if (k > 0) map += ',';
+      map += std::to_string(std::sin(0.5236 * k));
+    }
     map += "\n";
   }
   folder.write("m.csv", map);
