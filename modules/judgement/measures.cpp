@@ -84,7 +84,7 @@ double value_at(const core::Patch& grid, const core::Field& field, double X, dou
 }
 
 Measures measures(const Subject& subject) {
-  const auto& [grid, fields, r, transport, cavitation, outline, carried, wanted] = subject;
+  const auto& [grid, fields, r, transport, cavitation, outline, carried, wanted, on_bodies] = subject;
   const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, fields, transport, cavitation, r);
   const Sides sides = sides_of(outline);
   const auto flow = [&](double reach) {
@@ -103,8 +103,8 @@ Measures measures(const Subject& subject) {
           .Hm_fitted = fitted.value,
           .Hm_fitted_X = fitted.X,
           .Hm_fitted_Y = fitted.Y,
-          .P_max = core::maximum(fields.P).value,
-          .P_rim = largest_on_rim(grid, fields.P, outline),
+          .P_max = core::maximum(on_bodies).value,
+          .P_rim = largest_on_rim(grid, on_bodies, outline),
           .largest_residual = norms.largest / norms.wedge,
           .largest_residual_X = grid.X(norms.i),
           .largest_residual_Y = grid.Y(norms.j),

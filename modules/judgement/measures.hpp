@@ -56,6 +56,7 @@ struct Subject {
   const core::QuadraticForm& outline;  ///< 1 along the edge of the dry contact
   double carried = 0.0;                ///< load
   double wanted = 0.0;
+  const core::Field& on_bodies;  ///< pressure of the fluid and of touching surfaces
 };
 Measures measures(const Subject& subject);
 

@@ -156,6 +156,15 @@ void make_half_points(Hierarchy& hierarchy, Level& level) {
   });
 }
 
+// Touching::total of the present pressures.
+void add_pressures(Level& level) {
+  if (!level.touching) return;
+  Touching& touching = *level.touching;
+  for (int i = 0; i <= level.grid.nx; ++i)
+    for (int j = 0; j <= level.grid.ny; ++j) touching.total(i, j) = level.P(i, j) + touching.P_c(i, j);
+  core::fill_ghosts(level.grid, touching.total);
+}
+
 }  // namespace
 
 void update_coefficients(Hierarchy& hierarchy, Level& level) {
@@ -167,6 +176,7 @@ void update_coefficients(Hierarchy& hierarchy, Level& level) {
 
 void update_film(Hierarchy& hierarchy, Level& level) {
   ++level.evaluations;
+  add_pressures(level);
   if (along_one_line(hierarchy, level)) return film_along_line(hierarchy, level);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
@@ -180,6 +190,10 @@ void update_film(Hierarchy& hierarchy, Level& level) {
     if (level.F.nodes_x() > 0) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
+    }
+    if (level.touching && level.touching->yielded.nodes_x() > 0) {
+      const double* yielded = level.touching->yielded.at_x(i);
+      for (int j = 0; j <= grid.ny; ++j) H[j] += yielded[j];
     }
     nodes_of_station(hierarchy, level, i, work);
   });

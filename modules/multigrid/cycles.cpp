@@ -128,7 +128,8 @@ judgement::Measures measures_of(Hierarchy& hierarchy, std::size_t l) {
                               .cavitation = hierarchy.problem.cavitation,
                               .outline = hierarchy.problem.geometry.outline,
                               .carried = carried_load(level),
-                              .wanted = level.load});
+                              .wanted = level.load,
+                              .on_bodies = pressure_on_bodies(level)});
 }
 
 }  // namespace ehl::multigrid

@@ -51,6 +51,12 @@ OilFields oil_fields(const core::Patch& grid, bool anisotropic) {
   return anisotropic ? OilFields{zero, zero, zero, zero} : OilFields{zero, zero, {}, {}};
 }
 
+std::optional<Touching> touching_surfaces(const Problem& problem, const core::Patch& grid) {
+  if (!problem.boundary_film) return std::nullopt;
+  const core::Field zero(grid);
+  return Touching{zero, zero, std::isfinite(problem.boundary_film->hardness) ? zero : core::Field()};
+}
+
 // A number of coarsenings in the deck is meant for the finest grid; coarser grids take as many of them as fit.
 Level make_level(const core::Patch& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
@@ -87,6 +93,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .content = reynolds::conserves(problem.cavitation)
                          ? std::optional(OilContent{zero(), std::vector<double>(nodes_y), zero(), zero()})
                          : std::nullopt,
+          .touching = touching_surfaces(problem, grid),
           .correction = zero(),
           .changes = {zero_changes(), zero_changes()},
           .thread_work = WorkSpace(threads, std::move(work)),

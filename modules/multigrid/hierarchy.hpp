@@ -48,6 +48,7 @@ struct Hierarchy {
   double coarsest_weight = 1.0;  ///< factor on the weights of the coarsest grid, reduced by failed visits
   double least_supply = 0.0;     ///< lower limit of the supply while a solution starts
   double supply_factor = 1.0;    ///< present supply over the problem's
+  double boundary_film = 1.0;    ///< present boundary film over the problem's
   double sliding = 1.0;          ///< present speed of sliding over that in the problem's shear thinning
   int threads = 1;
   core::PartTimes times;
@@ -61,7 +62,14 @@ struct Hierarchy {
 };
 
 /// The present state of levels[l].
-inline State state_of(const Hierarchy& hierarchy, std::size_t l) { return {hierarchy.levels[l].P, hierarchy.H00}; }
+inline State state_of(const Hierarchy& hierarchy, std::size_t l) {
+  const Level& level = hierarchy.levels[l];
+  return {level.P, hierarchy.H00, level.touching ? level.touching->P_c : core::Field()};
+}
+/// The present boundary film. in: a problem that has one.
+inline double boundary_film(const Hierarchy& hierarchy) {
+  return hierarchy.boundary_film * hierarchy.problem.boundary_film->H_b;
+}
 
 /// The grids from `finest` down to the coarsest, the finest first.
 std::vector<core::Patch> grids_below(const core::Patch& finest, const Parameters& parameters);

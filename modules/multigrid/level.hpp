@@ -15,6 +15,7 @@
 #include "kernel/kernel.hpp"
 #include "line_solvers/film_terms.hpp"
 #include "mlmi/deformation.hpp"
+#include "multigrid/boundary_film.hpp"
 #include "multigrid/work_space.hpp"
 #include "reynolds/far_field.hpp"
 #include "reynolds/flux.hpp"
@@ -52,12 +53,22 @@ struct Problem {
   /// Writes the pressure of the dry contact, from which the solution starts, and returns its H00. Empty: the Hertz
   /// pressure.
   std::function<double(const core::Patch& grid, core::Field& P)> dry{};
+  /// Absent: the surfaces do not touch. limits: with it only Newton's method solves the problem.
+  std::optional<BoundaryFilm> boundary_film{};
 };
 
 /// The unknowns of one level.
 struct State {
   core::Field P;
   double H00 = 0.0;
+  core::Field P_c{};  ///< of touching surfaces; empty: zero
+};
+
+/// The fields of touching surfaces. With them Level::P is the pressure of the fluid alone.
+struct Touching {
+  core::Field P_c;      ///< pressure between the surfaces
+  core::Field total;    ///< P + P_c, set with the film
+  core::Field yielded;  ///< what yielding adds to H; empty without a hardness
 };
 
 /// Changes of a half sweep. Lines of one colour are stored next to each other, as many to a vector as it has lanes, one
@@ -139,6 +150,7 @@ struct Level {
   std::optional<FromFiner> finer;  ///< absent on the finest level
   core::Field r;                   ///< residual
   std::optional<OilContent> content;  ///< of the mass-conserving cavitation model
+  std::optional<Touching> touching;   ///< if the problem has a boundary film
   core::Field correction;             ///< of P, by the coarser level
   LineChanges changes;                ///< empty if relax_along_line() relaxes the level
   WorkSpace thread_work;              ///< made for the line solver and reach of the parameters
@@ -180,9 +192,11 @@ inline reynolds::Fields fields(const Level& level) {
           conserves_mass(level) ? &level.content->chatters : nullptr};
 }
 
-/// Pressure that deforms the bodies and carries the load: that of the fluid. (In mixed lubrication it would be the sum
-/// of the fluid's and the asperities' pressure; only the former appears in the Reynolds equation.)
-inline const core::Field& pressure_on_bodies(const Level& level) { return level.P; }
+/// Pressure that deforms the bodies and carries the load: that of the fluid, and of touching surfaces. Only the former
+/// appears in the Reynolds equation.
+inline const core::Field& pressure_on_bodies(const Level& level) {
+  return level.touching ? level.touching->total : level.P;
+}
 
 /// hx hy sum P (left-hand side of eq. 7).
 double carried_load(const Level& level);

@@ -131,6 +131,11 @@ void film_along_line(Hierarchy& hierarchy, Level& level) {
   }
   if (with_F)
     for (int i = 0; i <= level.grid.nx; ++i) H[i] += level.F(i, 1);
+  if (level.touching) {
+    core::load_line(level.P, nodes.P);  // the coefficients are those of the fluid
+    if (level.touching->yielded.nodes_x() > 0)
+      for (int i = 0; i <= level.grid.nx; ++i) H[i] += level.touching->yielded(i, 1);
+  }
   core::store_line(nodes.H, level.H);
   coefficients_of_nodes(hierarchy, level);
 }

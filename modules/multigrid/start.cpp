@@ -37,6 +37,7 @@ void pose_original_problem(const Hierarchy& hierarchy, Level& level) {
   level.scheme = scheme_of(problem);
   level.load = problem.load.value_or(0.0);
   level.load_outside = 0.0;
+  if (level.touching) level.touching->yielded.fill(0.0);
   forget_chattering(level);
   supply_oil(hierarchy, level);
 }
@@ -168,6 +169,10 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
   pose_original_problem(hierarchy, level);
   core::copy(start.P, level.P);
   core::fill_ghosts(level.grid, level.P);
+  if (level.touching) {
+    level.touching->P_c.fill(0.0);
+    if (start.P_c.nodes_x() > 0) core::copy(start.P_c, level.touching->P_c);
+  }
   hierarchy.H00 = start.H00;
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
@@ -176,16 +181,19 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy, level);
-  {
+  const Level& below = hierarchy.levels[l - 1];
+  const auto interpolate = [&](const core::Field& coarse, core::Field& P, reynolds::Cavitation cavitation) {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    transfer::prolong_bicubic(hierarchy.levels[l - 1].grid, hierarchy.levels[l - 1].P, level.P);
+    transfer::prolong_bicubic(below.grid, coarse, P);
     for (int i = 0; i <= level.grid.nx; ++i)
       for (int j = 0; j <= level.grid.ny; ++j) {
         const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line();
-        level.P(i, j) = boundary ? 0.0 : reynolds::projected(hierarchy.problem.cavitation, level.P(i, j));
+        P(i, j) = boundary ? 0.0 : reynolds::projected(cavitation, P(i, j));
       }
-    core::fill_ghosts(level.grid, level.P);
-  }
+    core::fill_ghosts(level.grid, P);
+  };
+  interpolate(below.P, level.P, hierarchy.problem.cavitation);
+  if (level.touching) interpolate(below.touching->P_c, level.touching->P_c, reynolds::Cavitation::nonnegative_pressure);
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
   begin_with_mean(hierarchy, level, [&] {

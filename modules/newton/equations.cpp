@@ -26,6 +26,10 @@ Equations::Equations(multigrid::Hierarchy& hierarchy, std::size_t l)
     local_.eps_behind = local_.eps_across_behind = core::Field(level_.grid);
   }
   if (switched()) dtheta_ = core::Field(level_.grid);
+  if (touching()) {
+    touch_.assign(nodes_, Touch::none);
+    dtotal_ = core::Field(level_.grid);
+  }
   if (!two_epsilons()) return;
   across_ = along_;
   local_.eps_across = core::Field(level_.grid);
@@ -35,13 +39,15 @@ void Equations::make_scale() {
   const reynolds::NodeRows rows = this->rows();
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) {
-      const double dq = level_.rho_bar(i, j) * multigrid::film_response(level_, 0);
+      const double response = own_response(i, j);
+      const double dq = response > 0.0 ? level_.rho_bar(i, j) * response : level_.drho_bar(i, j) * level_.H(i, j);
       scale_[index(i, j)] = 1.0 / reynolds::diagonal(rows.wedge(i), rows.faces(i, j), dq);
     }
 }
 
 void Equations::unknowns(std::span<double> u) {
   multigrid::update_residual(hierarchy_, level_);
+  if (touching()) find_touching();
   make_scale();
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) {
@@ -49,14 +55,16 @@ void Equations::unknowns(std::span<double> u) {
       const double P = level_.P(i, j);
       u[k] = P > 0.0 ? P : std::min(0.0, -scale_[k] * level_.r(i, j));
     }
-  u[nodes_] = hierarchy_.H00;
+  if (touching()) touching_unknowns(u);
+  u.back() = hierarchy_.H00;
 }
 
 void Equations::set_state(std::span<const double> u) {
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
   core::fill_ghosts(grid(), level_.P);
-  hierarchy_.H00 = u[nodes_];
+  if (touching()) set_touching(u);
+  hierarchy_.H00 = u.back();
   multigrid::update_film(hierarchy_, level_);
 }
 
@@ -68,11 +76,11 @@ void Equations::residual(std::span<const double> u, std::span<double> F) {
       const std::size_t k = index(i, j);
       F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
     }
-  F[nodes_] = (multigrid::carried_load(level_) - multigrid::wanted_load(hierarchy_, level_)) / level_.load;
+  if (touching()) touching_residual(u, F);
+  F.back() = (multigrid::carried_load(level_) - multigrid::wanted_load(hierarchy_, level_)) / level_.load;
 }
 
 void Equations::linearize(std::span<const double> u) {
-  const double self = multigrid::film_response(level_, 0);
   const film::Model& model = hierarchy_.problem.film;
   film::Buffers buffers = film::make_buffers(model, grid().nodes_y());
   const auto none = std::span<double>{};
@@ -92,6 +100,7 @@ void Equations::linearize(std::span<const double> u) {
                    {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
                     anisotropic() ? across_.dH.station(i) : none});
     for (int j = 0; j <= grid().ny; ++j) {
+      const double self = own_response(i, j);
       dq_dP_(i, j) = level_.drho_bar(i, j) * level_.H(i, j);
       local_.q(i, j) = dq_dP_(i, j) + self * level_.rho_bar(i, j);
       if (at_half_points()) continue;
@@ -100,6 +109,7 @@ void Equations::linearize(std::span<const double> u) {
     }
   }
   if (at_half_points()) linearize_half_points();
+  if (touching()) make_moved();
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
   if (multigrid::conserves_mass(level_)) content_rows_.make(level_, transport());
 }
@@ -148,16 +158,15 @@ double Equations::half_point_change(bool along_x, int i, int j, At at) const {
 
 void Equations::linearize_half_points() {
   const core::Patch& grid = level_.grid;
-  const double self = multigrid::film_response(level_, 0);
   const auto write = [&](bool along_x, int i, int j, core::Field& before, core::Field& behind, core::Field& dH00) {
     const auto alone = [&](int here_i, int here_j) {
-      return [=, this](int ki, int kj) {
-        return ki == here_i && kj == level_.grid.holder(here_j) ? NodeChange{1.0, self} : NodeChange{};
+      return [here_i, line = level_.grid.holder(here_j), self = own_response(here_i, here_j)](int ki, int kj) {
+        return ki == here_i && kj == line ? NodeChange{1.0, self} : NodeChange{};
       };
     };
     before(i, j) = half_point_change(along_x, i, j, alone(i, j));
     behind(i, j) = half_point_change(along_x, i, j, along_x ? alone(i + 1, j) : alone(i, j + 1));
-    dH00(i, j) = half_point_change(along_x, i, j, [](int, int) { return NodeChange{0.0, 1.0}; });
+    dH00(i, j) = half_point_change(along_x, i, j, [this](int ki, int kj) { return NodeChange{0.0, moves(ki, kj)}; });
   };
   for (int i = 0; i <= grid.nx; ++i)
     for_lines([&](int j) {
@@ -255,13 +264,15 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
       dload += grid.lines(j) * dP_(i, j);
     }
   core::fill_ghosts(grid, dP_);
-  deform(dP_, dH_);
-  const double dH00 = v[nodes_];
+  if (touching()) dload += add_touching(v, dP_);
+  deform(touching() ? dtotal_ : dP_, dH_);
+  const double dH00 = v.back();
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) dH_(i, j) += dH00;
+  if (touching()) touching_rows(v, dH_, Jv);
   change_of_residual(dP_, dH_, Jv);
   for (std::size_t k = 0; k < nodes_; ++k) Jv[k] = scale_[k] * Jv[k] + (wet_[k] ? 0.0 : v[k]);
-  Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load + load_by_H00() * dH00;
+  Jv.back() = grid.hx() * grid.hy() * dload / level_.load + load_by_H00() * dH00;
 }
 
 }  // namespace ehl::newton

@@ -17,6 +17,10 @@ namespace ehl::newton {
 /// F = 0 is the complementarity problem P >= 0, r >= 0, P r = 0 (Robinson's normal map): a wet node has z = P and r =
 /// 0, a cavitated one P = 0 and r = -z/s. P is never negative, whatever u. The row scale s_ij > 0 is one over the local
 /// part of dr_ij/dP_ij; it gives every F the unit of a pressure and does not change the solution.
+/// Touching surfaces add one number w per node between z and H00, with P_c = w limited to 0 and the hardness P_y, and
+/// the rows
+///   F = s (H - H_b) + min(w, 0),   s = 1/K_00;
+/// where w > P_y a surface has yielded by (w - P_y)/s, which is a part of H. So P_c = 0 and H >= H_b, or H = H_b.
 /// In an implicit time step the load may grow with H00, and the level has right-hand sides f and F.
 /// Nodes are numbered in storage order: along Y fastest.
 class Equations {
@@ -24,7 +28,9 @@ class Equations {
   /// Uses levels[l] as it is: the unknowns come from its P and from H00. limits: a given load; cavitation.
   Equations(multigrid::Hierarchy& hierarchy, std::size_t l);
 
-  std::size_t size() const { return nodes_ + 1; }
+  std::size_t size() const { return (touching() ? 2 : 1) * nodes_ + 1; }
+  std::size_t nodes() const { return nodes_; }
+  bool touching() const { return level_.touching.has_value(); }
   const multigrid::Level& level() const { return level_; }
   const core::Patch& grid() const { return level_.grid; }
   /// Index of node (i, j) in u and F, 1 <= i < nx, 1 <= j <= last_line.
@@ -44,6 +50,9 @@ class Equations {
   /// Jv = F'(u) v, exact: epsilon through P and H, the wedge through rho_bar and H, and H = K*P + H00 by the level's
   /// film evaluation. At z = 0, where F has two derivatives, that of the cavitated state.
   void jacobian(std::span<const double> v, std::span<double> Jv);
+  /// The rows of w where the surfaces do not touch are identities in jacobian(). Sets their part of a step d from its
+  /// other parts. in: -F before the step.
+  void complete(std::span<const double> minus_F, std::span<double> d);
   /// w = K*p by the level's film evaluation.
   void deform(const core::Field& p, core::Field& w);
   /// Change of r at the interior nodes for given changes of P and H at all nodes, taken as independent. in: dP with
@@ -61,15 +70,24 @@ class Equations {
   const Local& local() const { return local_; }
   const core::Field& local_eps_across() const { return two_epsilons() ? local_.eps_across : local_.eps; }
   /// Derivatives by H00 of epsilon along X and along Y.
-  const core::Field& deps_dH00() const { return at_half_points() ? along_.dH00 : along_.dH; }
+  const core::Field& deps_dH00() const { return at_half_points() ? along_.dH00 : touching() ? moved_.eps : along_.dH; }
   const core::Field& deps_dH00_across() const {
-    return at_half_points() ? across_.dH00 : anisotropic() ? across_.dH : along_.dH;
+    return at_half_points() ? across_.dH00
+           : anisotropic()  ? (touching() ? moved_.eps_across : across_.dH)
+                            : deps_dH00();
   }
+  /// Derivative of rho_bar H by H00.
+  const core::Field& dq_dH00() const { return touching() ? moved_.q : level_.rho_bar; }
   reynolds::Face face() const { return level_.scheme.face; }
   reynolds::NodeRows rows() const { return multigrid::rows(hierarchy_, level_); }
   /// The rows of the mass conserving model; nullptr with another model.
   const ContentRows* content_rows() const { return multigrid::conserves_mass(level_) ? &content_rows_ : nullptr; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
+  /// What a node's row of w says.
+  enum class Touch : char { none, touches, yields };
+  Touch touch(std::size_t node) const { return touch_.empty() ? Touch::none : touch_[node]; }
+  /// Row scale of w.
+  double touching_scale() const { return 1.0 / multigrid::film_response(level_, 0); }
   double scale(std::size_t node) const { return scale_[node]; }
   /// d F_last/d H00, for a load that grows with H00.
   double load_by_H00() const {
@@ -88,6 +106,27 @@ class Equations {
   struct NodeChange {
     double dP = 0.0, dH = 0.0;
   };
+
+  double hardness() const { return hierarchy_.problem.boundary_film->hardness; }
+  /// dH/dP of a node in the preconditioner, where only its own pressure counts: 0 where the surfaces touch.
+  double own_response(int i, int j) const { return moves(i, j) * multigrid::film_response(level_, 0); }
+  /// 1 where H changes with H00 and with P; 0 where the surfaces touch, for j up to the last line of the domain.
+  double moves(int i, int j) const {
+    const int line = grid().holder(j);
+    if (touch_.empty() || i < 1 || i >= grid().nx || line < 1 || line > grid().last_line()) return 1.0;
+    return touch_[index(i, line)] == Touch::none ? 1.0 : 0.0;
+  }
+  /// Where the surfaces touch in the present state.
+  void find_touching();
+  void touching_unknowns(std::span<double> u) const;
+  void set_touching(std::span<const double> u);
+  void touching_residual(std::span<const double> u, std::span<double> F) const;
+  /// Derivatives by H00 at the nodes, without those that touch.
+  void make_moved();
+  /// Adds the pressure of touching surfaces to a change dP of the fluid's, in dtotal_. out: the change of the load.
+  double add_touching(std::span<const double> v, const core::Field& dP);
+  /// Adds yielding to the change dH of the film, then the rows of w.
+  void touching_rows(std::span<const double> v, core::Field& dH, std::span<double> Jv) const;
 
   bool anisotropic() const { return film::anisotropic(hierarchy_.problem.film); }
   bool at_half_points() const { return multigrid::at_half_points(level_); }
@@ -122,11 +161,13 @@ class Equations {
   int threads_;
   std::vector<double> scale_;
   std::vector<char> wet_;
-  Epsilon along_, across_;  // across_ is empty if there is one epsilon only
+  std::vector<Touch> touch_;  // empty if the surfaces do not touch
+  Epsilon along_, across_;    // across_ is empty if there is one epsilon only
   ContentRows content_rows_;
   core::Field dq_dP_;
   Local local_;
-  core::Field dP_, dH_, dtheta_;  // work space of jacobian()
+  core::Field dP_, dH_, dtheta_, dtotal_;  // work space of jacobian()
+  Local moved_;                            // make_moved()
 };
 
 }  // namespace ehl::newton

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <optional>
 #include <vector>
 
+#include "newton/line_factors.hpp"
 #include "reynolds/row.hpp"
 
 namespace ehl::newton {
@@ -54,87 +54,6 @@ void dissect(const Box& box, int reach, const Equations& equations, std::vector<
   take(separator);
 }
 
-/// The full Jacobian of a line contact: the load and H00 first, then the nodes. The column of a cavitated node is that
-/// of the identity. Columns downstream of the last wet node are not stored, and their rows take no part in the
-/// elimination.
-template <class Number>
-class LineFactors {
- public:
-  bool factor(Equations& equations, const Slopes& by_P, const Slopes& by_H);
-  /// v <- A^-1 v, with the load as the last entry.
-  void solve(std::span<double> v) const {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    const Column x = lu_->solve(head(all));
-    all.segment(kept_ - 1, behind()) -= (matrix_.bottomRows(behind()) * x).template cast<double>();
-    put_head(x, all);
-  }
-  /// v <- A^-T v.
-  void solve_transposed(std::span<double> v) const {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    Column rhs = head(all);
-    rhs -= matrix_.bottomRows(behind()).transpose() * all.segment(kept_ - 1, behind()).template cast<Number>();
-    put_head(lu_->transpose().solve(rhs), all);
-  }
-
- private:
-  using All = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
-  using Column = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
-  Eigen::Index behind() const { return matrix_.rows() - kept_; }
-  Column head(const Eigen::Map<Vector>& all) const {
-    Column first(kept_);
-    first[0] = static_cast<Number>(all[all.size() - 1]);
-    first.tail(kept_ - 1) = all.head(kept_ - 1).template cast<Number>();
-    return first;
-  }
-  void put_head(const Column& first, Eigen::Map<Vector>& all) const {
-    all[all.size() - 1] = first[0];
-    all.head(kept_ - 1) = first.tail(kept_ - 1).template cast<double>();
-  }
-
-  All matrix_;
-  Eigen::Index kept_ = 0;                                   // number of stored columns
-  std::optional<Eigen::PartialPivLU<Eigen::Ref<All>>> lu_;  // stored in the first rows of matrix_
-};
-
-template <class Number>
-bool LineFactors<Number>::factor(Equations& equations, const Slopes& by_P, const Slopes& by_H) {
-  const core::Patch& grid = equations.grid();
-  // The deformation by a pressure at the first node gives K by distance, from -nx to nx.
-  core::Field first(grid), film(grid);
-  std::ranges::fill(first.station(0), 1.0);
-  equations.deform(first, film);
-  Column K(2 * grid.nx + 1);
-  for (int d = 0; d <= grid.nx; ++d) K[grid.nx + d] = K[grid.nx - d] = static_cast<Number>(film(d, 1));
-  const auto nodes = static_cast<Eigen::Index>(equations.size()) - 1;
-  kept_ = nodes + 1;
-  while (kept_ > 1 && !equations.wet(static_cast<std::size_t>(kept_ - 2))) --kept_;
-  matrix_.setZero(nodes + 1, kept_);
-  Column of_film(nodes);
-  for (std::size_t m = 0; m < stencil.size(); ++m) {
-    const auto [di, dj] = stencil[m];
-    if (dj != 0) continue;
-    for (Eigen::Index row = 0; row < nodes; ++row) {
-      const auto k = static_cast<std::size_t>(row);
-      of_film[row] = static_cast<Number>(by_H[k][m]);
-      if (row + di >= 0 && row + di < kept_ - 1) matrix_(row + 1, row + di + 1) += static_cast<Number>(by_P[k][m]);
-    }
-    for (Eigen::Index column = 0; column < kept_ - 1; ++column)
-      matrix_.col(column + 1).tail(nodes).array() += of_film.array() * K.segment(grid.nx + di - column, nodes).array();
-    matrix_.col(0).tail(nodes) += of_film;
-  }
-  matrix_(0, 0) = static_cast<Number>(equations.load_by_H00());
-  matrix_.row(0).tail(kept_ - 1).setConstant(static_cast<Number>(grid.hx() * grid.hy() / equations.level().load));
-  for (Eigen::Index k = 0; k < kept_ - 1; ++k)
-    if (!equations.wet(static_cast<std::size_t>(k))) {
-      matrix_.col(k + 1).setZero();
-      matrix_(k + 1, k + 1) = Number{1};
-    }
-  if (!matrix_.allFinite()) return false;
-  auto square = matrix_.topRows(kept_);
-  lu_.emplace(square);
-  return true;
-}
-
 }  // namespace
 
 struct Preconditioner::Implementation {
@@ -151,12 +70,16 @@ struct Preconditioner::Implementation {
   // For a line contact one of these factorizations is used:
   LineFactors<double> line_factors;
   LineFactors<float> line_factors_single;
+  TouchingLineFactors touching_line_factors;
   const bool single;
   const std::size_t dense_up_to;
 
   Implementation(Equations& e, bool of_single, std::size_t most) : equations(e), single(of_single), dense_up_to(most) {}
-  bool line() const { return equations.grid().domain.line && equations.size() <= dense_up_to; }
+  bool line() const {
+    return equations.grid().domain.line && (equations.touching() || equations.size() <= dense_up_to);
+  }
   bool factor_dense(const Slopes& by_P, const Slopes& by_H) {
+    if (equations.touching()) return touching_line_factors.factor(equations, by_P, by_H);
     return single ? line_factors_single.factor(equations, by_P, by_H) : line_factors.factor(equations, by_P, by_H);
   }
   bool factor_sparse();
@@ -168,6 +91,18 @@ struct Preconditioner::Implementation {
   }
   void make_order();
   void assemble(Vector& column_of_H00);
+  /// Calls action(node, k) for the nodes of this kind, k the index of w in u.
+  template <class Action>
+  void for_touching(Equations::Touch kind, Action action) const {
+    for (std::size_t node = 0; node < equations.nodes(); ++node)
+      if (equations.touching() && equations.touch(node) == kind) action(node, equations.nodes() + node);
+  }
+  double load_of(std::size_t node) const;
+  void subtract_known_film(std::span<const double> v);
+  void solve_touching(double dH00, std::span<double> v) const;
+
+  core::Field dP, dH;          // work space of subtract_known_film()
+  std::vector<double> change;  // the same
 };
 
 void Preconditioner::Implementation::make_order() {
@@ -175,7 +110,7 @@ void Preconditioner::Implementation::make_order() {
   order.clear();
   const int reach = equations.transport().wedge == reynolds::Wedge::upstream1 ? 1 : 2;
   dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
-  place.assign(equations.size() - 1, -1);
+  place.assign(equations.nodes(), -1);
   for (Eigen::Index k = 0; k < size(); ++k) place[node(k)] = static_cast<int>(k);
 }
 
@@ -221,7 +156,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
       if (w[2] != 0.0) enter(k - 2, j, dr.far_west);
       const auto de_dH00 =
           reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), k, j, rows.half());
-      of_H00 += s * reynolds::residual(w, de_dH00, in_columns(level.rho_bar), reynolds::cross_at(level.P, k, j));
+      of_H00 += s * reynolds::residual(w, de_dH00, in_columns(equations.dq_dH00()), reynolds::cross_at(level.P, k, j));
     };
     enter_row(i, c);
     if (content == nullptr) continue;
@@ -249,11 +184,46 @@ bool Preconditioner::Implementation::factor_sparse() {
   const core::Patch& grid = equations.grid();
   load_row.resize(size());
   std::ranges::transform(order, load_row.begin(), [&](const auto& node) {
+    // Where surfaces touch, the film is known, and with it the sum of both pressures.
+    if (equations.touch(equations.index(node.first, node.second)) == Equations::Touch::touches) return 0.0;
     return grid.hx() * grid.hy() * grid.lines(node.second) / equations.level().load;
   });
   schur = load_row.dot(border);
+  for_touching(Equations::Touch::touches,
+               [&](std::size_t node, std::size_t) { schur += load_of(node) * equations.touching_scale(); });
   rhs.resize(size());
   return border.allFinite() && schur != 0.0;
+}
+
+double Preconditioner::Implementation::load_of(std::size_t node) const {
+  const core::Patch& grid = equations.grid();
+  const int j = static_cast<int>(node % static_cast<std::size_t>(grid.last_line())) + 1;
+  return grid.hx() * grid.hy() * grid.lines(j) / equations.level().load;
+}
+
+// The change of H where the surfaces touch follows from their own rows, and changes the rows of the fluid.
+void Preconditioner::Implementation::subtract_known_film(std::span<const double> v) {
+  const core::Patch& grid = equations.grid();
+  if (dP.nodes_x() == 0) {
+    dP = dH = core::Field(grid);
+    change.resize(equations.nodes());
+  }
+  dH.fill(0.0);
+  const auto lines = static_cast<std::size_t>(grid.last_line());
+  for (const auto kind : {Equations::Touch::touches, Equations::Touch::yields})
+    for_touching(kind, [&](std::size_t node, std::size_t k) {
+      dH(static_cast<int>(node / lines) + 1, static_cast<int>(node % lines) + 1) = v[k] / equations.touching_scale();
+    });
+  equations.change_of_residual(dP, dH, change);
+  for (Eigen::Index k = 0; k < size(); ++k) rhs[k] -= equations.scale(node(k)) * change[node(k)];
+}
+
+// in: v: the fluid's pressure is known; out: that of touching surfaces, or what they yield.
+void Preconditioner::Implementation::solve_touching(double dH00, std::span<double> v) const {
+  const double s = equations.touching_scale();
+  const auto fluid = [&](std::size_t node) { return equations.wet(node) ? v[node] : 0.0; };
+  for_touching(Equations::Touch::touches, [&](std::size_t node, std::size_t k) { v[k] += -s * dH00 - fluid(node); });
+  for_touching(Equations::Touch::yields, [&](std::size_t node, std::size_t k) { v[k] += -s * dH00 - fluid(node); });
 }
 
 Preconditioner::Preconditioner(Equations& equations, Precision of_dense, std::size_t dense_up_to)
@@ -273,11 +243,18 @@ bool Preconditioner::factor(const Slopes& by_P, const Slopes& by_H) {
 
 void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
+  const bool touching = own.equations.touching();
+  if (own.line() && touching) return own.touching_line_factors.solve(v);
   if (own.line()) return own.single ? own.line_factors_single.solve(v) : own.line_factors.solve(v);
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
+  if (touching) own.subtract_known_film(v);
   own.solution = own.lu.solve(own.rhs);
-  const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
+  double load = own.load_row.dot(own.solution);
+  own.for_touching(Equations::Touch::touches,
+                   [&](std::size_t node, std::size_t k) { load += own.load_of(node) * v[k]; });
+  const double dH00 = (load - v.back()) / own.schur;
   for (Eigen::Index k = 0; k < own.size(); ++k) v[own.node(k)] = own.solution[k] - dH00 * own.border[k];
+  if (touching) own.solve_touching(dH00, v);
   v.back() = dH00;
 }
 

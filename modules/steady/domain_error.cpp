@@ -18,6 +18,7 @@ double central_film(const Scene& scene) {
   Scene only_film = scene;
   only_film.adjoint_errors = false;
   only_film.observer = {};
+  only_film.boundary_film.reset();
   const Solution solution = solve_by_multigrid(only_film, start, {});
   return solution.converged ? solution.levels.back().Hc : core::unknown;
 }

@@ -85,13 +85,15 @@ std::vector<double> observed(const Scene& scene, const multigrid::Hierarchy& hie
   if (!scene.observer) return {};
   const multigrid::Level& level = hierarchy.levels[l];
   const core::Field P = core::on_domain(level.grid, level.P), H = core::on_domain(level.grid, level.H);
+  const core::Field P_c = level.touching ? core::on_domain(level.grid, level.touching->P_c) : core::Field();
   const auto given = [](const core::Field& field) { return field.nodes_x() > 0 ? &field : nullptr; };
   return scene.observer(scene, {.grid = level.grid.domain,
                                 .P = P,
                                 .H = H,
                                 .H00 = hierarchy.H00 - deformation_by_outside(hierarchy),
                                 .I0 = given(I0),
-                                .less_tau = given(less_tau)});
+                                .less_tau = given(less_tau),
+                                .P_c = given(P_c)});
 }
 
 multigrid::Geometry geometry_of(const Scene& scene) {
@@ -177,7 +179,8 @@ multigrid::Run begin_multigrid(const Scene& scene, const Start& start, const Pro
       .geometry = geometry_of(scene),
       .far_field = far_field_of(scene),
       .surface = scene.surface,
-      .dry = scene.dry};
+      .dry = scene.dry,
+      .boundary_film = scene.boundary_film};
   const double steep = steep_damping(scene);
   multigrid::Run run{.hierarchy = multigrid::make_hierarchy(problem, parameters, scene.deformation,
                                                             patch_to_compute_on(scene, parameters), scene.threads),
@@ -198,7 +201,11 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
   Solution solution;
   static_cast<multigrid::Record&>(solution) = std::move(run.record);
   solution.grid = finest.grid.domain;
-  solution.P = core::on_domain(finest.grid, finest.P);
+  solution.P = core::on_domain(finest.grid, multigrid::pressure_on_bodies(finest));
+  if (finest.touching) {
+    solution.P_f = core::on_domain(finest.grid, finest.P);
+    solution.P_c = core::on_domain(finest.grid, finest.touching->P_c);
+  }
   solution.H = core::on_domain(finest.grid, finest.H);
   solution.H00 = run.hierarchy.H00 - deformation_by_outside(run.hierarchy);
   if (multigrid::conserves_mass(finest)) {
@@ -210,7 +217,7 @@ Solution solution_of(const Scene& scene, multigrid::Run&& run) {
   solution.deformation = finest.deformation.description();
   solution.remedies = std::move(run.remedies);
   if (scene.adjoint_errors && solution.converged && reynolds::third_order(scene.wedge) && !scene.has_factors &&
-      !scene.supply)
+      !scene.supply && !scene.boundary_film)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);
   solution.times = run.hierarchy.times;
   return solution;

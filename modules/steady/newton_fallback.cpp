@@ -22,27 +22,6 @@ constexpr double tolerance_of_rounding = 1e-9;
 /// Number of coarser grids that the estimate of the discretization error needs.
 constexpr std::size_t levels_of_an_estimate = 2;
 
-double final_tolerance(const Scene& scene) {
-  // fmin() ignores a tolerance that is NaN.
-  return std::fmin(tolerance_at_rounding, scene.solver.tolerance);
-}
-
-// Newton's method on level l, with its row in the table of levels.
-newton::Result solve_level_by_newton(const Scene& scene, multigrid::Run& run, std::size_t l, double tolerance) {
-  const judgement::Measures start = multigrid::measures_of(run.hierarchy, l);
-  int steps = 0;
-  const newton::Progress progress = [&](const newton::Step& step) {
-    judgement::Measures now = start;
-    now.residual = step.residual;
-    multigrid::report(run, l, ++steps, newton::Parameters{}.max_steps, now);
-    return true;
-  };
-  const double of_rounding = std::fmin(tolerance_of_rounding, run.hierarchy.parameters.tolerance);
-  return newton::solve(run.hierarchy, l,
-                       {.tolerance = tolerance, .tolerance_of_rounding = of_rounding, .tuning = scene.newton},
-                       progress);
-}
-
 // Checks the state of the finest grid after Newton's method; its algebraic error is estimated from the residual, as
 // there is no last cycle.
 void judge(const Scene& scene, multigrid::Run& run) {
@@ -67,13 +46,38 @@ void judge(const Scene& scene, multigrid::Run& run) {
                                                      : CyclesEnd::stalled;
 }
 
-// Checks the state; if Newton's method did not converge, the solution fails with this reason.
-void judge(const Scene& scene, multigrid::Run& run, bool newton_converged, const std::string& reason) {
+}  // namespace
+
+double final_tolerance(const Scene& scene) {
+  // fmin() ignores a tolerance that is NaN.
+  return std::fmin(tolerance_at_rounding, scene.solver.tolerance);
+}
+
+newton::Result solve_level_by_newton(const Scene& scene, multigrid::Run& run, std::size_t l, double tolerance,
+                                     int max_steps) {
+  const judgement::Measures start = multigrid::measures_of(run.hierarchy, l);
+  int steps = 0;
+  const newton::Progress progress = [&](const newton::Step& step) {
+    judgement::Measures now = start;
+    now.residual = step.residual;
+    multigrid::report(run, l, ++steps, max_steps, now);
+    return true;
+  };
+  const double of_rounding = std::fmin(tolerance_of_rounding, run.hierarchy.parameters.tolerance);
+  return newton::solve(
+      run.hierarchy, l,
+      {.tolerance = tolerance, .tolerance_of_rounding = of_rounding, .max_steps = max_steps, .tuning = scene.newton},
+      progress);
+}
+
+void judge_newton(const Scene& scene, multigrid::Run& run, bool newton_converged, const std::string& reason) {
   judge(scene, run);
   if (newton_converged) return;
   run.record.failed_check = reason;
   run.record.converged = false;
 }
+
+namespace {
 
 // Replaces the table of levels. Coarse states below a finest grid that the cycles did not solve say nothing about its
 // discretization error, so the two grids below it are solved again from its solution.
@@ -131,7 +135,7 @@ Solution refine_by_newton(const Scene& scene, const Start& start, const Solution
     multigrid::start_from_state(hierarchy, l, solved);
     if (content) hierarchy.finest().content->chatters = content->chatters;
   }
-  judge(scene, run, result.converged, result.reason);
+  judge_newton(scene, run, result.converged, result.reason);
   run.record.levels.back().seconds += core::now() - began;
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -148,7 +152,7 @@ Solution follow_by_newton(const Scene& scene, const Start& start, const Solution
   const multigrid::LevelStep solve = [&](multigrid::Run&, std::size_t l) {
     run.record.levels.emplace_back();
     result = solve_level_by_newton(scene, run, l, scene.solver.tolerance);
-    judge(scene, run, result.converged, result.reason);
+    judge_newton(scene, run, result.converged, result.reason);
   };
   multigrid::for_levels(run, run.finest(), run.hierarchy.levels.size(), begin, solve);
   Solution solution = solution_of(scene, std::move(run));
@@ -178,7 +182,7 @@ Solution solve_by_newton(const Scene& scene, const Start& start, const ProgressC
     last_reason = multigrid::name_of_level(run.hierarchy, l) + ": " + last.reason;
     multigrid::enter(run.hierarchy, l, 0, multigrid::measures_of(run.hierarchy, l), run.record);
     multigrid::observe(run, l);
-    if (last_level) judge(scene, run, last.converged, last_reason);
+    if (last_level) judge_newton(scene, run, last.converged, last_reason);
   };
   multigrid::for_levels(run, run.plan.first, run.hierarchy.levels.size(), begin, solve);
   Solution solution = solution_of(scene, std::move(run));

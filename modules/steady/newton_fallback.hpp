@@ -10,6 +10,17 @@ inline constexpr double most_nodes_of_newton = 3e5;
 /// Most nodes for which it is tried a second time. [bench: most_nodes_of_second_newton]
 inline constexpr double most_nodes_of_second_newton = 1e5;
 
+/// Tolerance of Newton's method on the finest grid: rounding, or the scene's if that is smaller.
+double final_tolerance(const Scene& scene);
+
+/// Newton's method on level l from its present state, with reports of its progress.
+newton::Result solve_level_by_newton(const Scene& scene, multigrid::Run& run, std::size_t l, double tolerance,
+                                     int max_steps = newton::Parameters{}.max_steps);
+
+/// Checks the state of the finest grid after Newton's method; its algebraic error is estimated from the residual, as
+/// there is no last cycle. If Newton's method did not converge, the solution fails with this reason.
+void judge_newton(const Scene& scene, multigrid::Run& run, bool newton_converged, const std::string& reason);
+
 /// Newton refinement: Newton's method on the finest grid from the present state, down to rounding errors or to the
 /// scene's tolerance if that is smaller; the last row of the level table then describes its state. If it fails, the
 /// better of both states stays, and Solution::polish_failure says why.

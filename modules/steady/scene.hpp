@@ -12,6 +12,7 @@
 #include "film/model.hpp"
 #include "kernel/kernel.hpp"
 #include "mlmi/deformation.hpp"
+#include "multigrid/boundary_film.hpp"
 #include "multigrid/parameters.hpp"
 #include "newton/tuning.hpp"
 #include "reynolds/wedge.hpp"
@@ -62,11 +63,12 @@ struct Passes {
 /// A solution on one grid, on the whole domain.
 struct SolvedFilm {
   const core::Grid& grid;
-  const core::Field& P;
+  const core::Field& P;  ///< of the fluid
   const core::Field& H;
   double H00 = 0.0;
   const core::Field* I0 = nullptr;        ///< mean fluidity of a warm film over that of the oil; none: 1
   const core::Field* less_tau = nullptr;  ///< of the sliding stress, where the pressure's own flow thins; none: 1
+  const core::Field* P_c = nullptr;       ///< pressure of touching surfaces; none: 0
 };
 
 /// Coatings on the bodies. E' of the scales (M, L, a, p_h) is that of uncoated bodies as compliant as these.
@@ -97,6 +99,8 @@ struct Scene {
   std::function<double(double Y)> supply{};
   /// Share of the supply on coarse grids, by their cells along X; empty: all of it.
   std::function<double(int nx)> supply_share{};
+  /// The surfaces touch at a boundary film (mixed.hpp); absent: they do not touch.
+  std::optional<multigrid::BoundaryFilm> boundary_film{};
   Passes passes{};  ///< if there is a supply
   core::Grid grid;  ///< the finest grid; with a required accuracy, the first one to be tried
   /// Pressure on the boundary and load outside the domain in closed form; else both are zero.

@@ -57,6 +57,7 @@ struct Solution : multigrid::Record {
   core::Field P;
   core::Field H;
   double H00 = 0.0;
+  core::Field P_f, P_c;                     ///< parts of P, of the fluid and of touching surfaces; empty: P is P_f
   core::Field Q;                            ///< oil content per area, if the scene has a supply; else empty
   core::Field theta;                        ///< Q/(rho_bar H)
   reynolds::OilBalance oil;                 ///< in, out and aside, if the scene has a supply
@@ -82,5 +83,10 @@ struct Solution : multigrid::Record {
   ErrorBars error_bars;                    ///< of the final state
   AccuracyReport accuracy;                 ///< if an accuracy was requested
 };
+
+/// The pressure of the fluid alone.
+inline const core::Field& fluid_pressure(const Solution& solution) {
+  return solution.P_f.nodes_x() > 0 ? solution.P_f : solution.P;
+}
 
 }  // namespace ehl::steady

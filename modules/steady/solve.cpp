@@ -11,6 +11,7 @@
 #include "reynolds/flux.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/mixed.hpp"
 #include "steady/passes.hpp"
 #include "steady/strategies.hpp"
 #include "steady/warnings.hpp"
@@ -75,7 +76,9 @@ Solution solve_starved(const Scene& scene, const ProgressCallback& progress) {
 
 Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
-  Solution solution = scene.supply ? solve_starved(scene, progress) : solve_by_strategies(scene, progress);
+  Solution solution = scene.supply          ? solve_starved(scene, progress)
+                      : scene.boundary_film ? solve_mixed(scene, progress)
+                                            : solve_by_strategies(scene, progress);
   // With a supply a meniscus inside the domain ends the inlet.
   if (!scene.supply && rough_domain_error(scene) > scene.tuning.domain_worth_a_look)
     solution.domain_error_Hc = estimate_domain_error(scene);

@@ -47,7 +47,11 @@ struct Tuning {
   core::Share heaviest_first = 0.5;  ///< heaviest first load over the scene's [bench: next_first]
 
   // Newton's method and passes (newton_fallback.cpp, passes.cpp)
-  core::Count finest_from_hertz = 128;             ///< most cells of a start of Newton's method from the Hertz pressure
+  core::Count finest_from_hertz = 128;       ///< most cells of a start of Newton's method from the Hertz pressure
+  core::Positive relief_over_film = 0.5;     ///< height of a relief over the film up to which surfaces may stay apart
+  core::Positive boundary_film_start = 1.5;  ///< first boundary film over the oil film [bench: boundary_film_step]
+  core::Growth boundary_film_step = 2.0;     ///< first factor between two boundary films [bench: boundary_film_step]
+  core::Growth boundary_film_least_step = 1.05;    ///< least factor between them [bench: boundary_film_step]
   core::Positive tolerance_between_passes = 1e-9;  ///< relative residual of the passes before the last
   core::Positive chattering_residual = 2e-2;       ///< residual up to which a pass with chattering nodes counts
 

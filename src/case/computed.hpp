@@ -10,6 +10,7 @@
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
+#include "effects/mixed/contact.hpp"
 #include "effects/roller/analysis.hpp"
 #include "effects/subsurface/history.hpp"
 #include "effects/subsurface/stress.hpp"
@@ -108,6 +109,16 @@ struct StressCourse {
   double seconds = 0.0;
 };
 
+/// The contact of touching surfaces. NaN: not known.
+struct MixedResult {
+  mixed::Contact contact{};
+  double error_share = core::unknown;  ///< relative
+  double error_area = core::unknown;   ///< relative
+  double share_extrapolated = core::unknown;
+  double share_coarse = core::unknown;        ///< on half as many cells
+  double share_of_half_film = core::unknown;  ///< the same with half the boundary film
+};
+
 /// The contact, and the results of each effect.
 struct Computed {
   std::string unsolved{};       ///< why there is nothing to show; empty if there is a solution, converged or not
@@ -121,6 +132,7 @@ struct Computed {
   std::optional<friction::Friction> friction{};
   std::optional<HeatResult> heat{};
   std::optional<roller::Analysis> roller{};
+  std::optional<MixedResult> mixed{};
   std::optional<HeatResult> flow{};  ///< isothermal, with [shear] flow = on
   double seconds = 0.0;              ///< computing time of the whole run
 };

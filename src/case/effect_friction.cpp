@@ -26,6 +26,7 @@ bool beyond(Of s) { return rubbed(s).counts_outside; }
 bool upstream(Of s) { return beyond(s) && rubbed(s).line; }
 bool around(Of s) { return beyond(s) && !rubbed(s).line; }
 bool has_meniscus(Of s) { return std::isfinite(rubbed(s).parameters.meniscus); }
+bool touches(Of s) { return s.input.scene.boundary_film.has_value(); }
 bool has_outer(Of s) { return rubbed(s).outer != 0.0; }
 bool has_side(Of s) { return std::isfinite(rubbed(s).side); }
 
@@ -46,6 +47,8 @@ Group friction_numbers() {
              of(&Friction::error_rolling)),
       number(id::mu_1, "-", "force of the film on surface 1 along +x over the load", column(405), of(&Friction::on_1)),
       number(id::mu_2, "-", "force of the film on surface 2 along +x over the load", column(406), of(&Friction::on_2)),
+      number("mu_boundary", "-", "part of mu from touching surfaces, mu_b times their load share", column(407),
+             only_if(touches), of(&Friction::boundary)),
       number(id::mu_cavitated, "-", "part of mu from the cavitated region", of(&Friction::cavitated)),
       number(id::largest_shear_stress, "p_h", "largest shear stress of sliding, in the pressurized film",
              json("largest_stress"), of(&Friction::largest_stress)),
@@ -123,6 +126,9 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
+  if (f.boundary != 0.0)
+    text += fmt::format("             of which {:.5g} from touching surfaces and {:.5g} from the oil\n", f.boundary,
+                        f.sliding - f.boundary);
   if (f.counts_outside)
     text += fmt::format("             of which {:.3g} and {:.3g} from outside the domain, {}\n", f.beyond,
                         f.rolling_beyond, reach_of(input));
@@ -174,13 +180,14 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
   parameters.oblique = !input.scene.grid.line && !steady::on_one_half(input.scene);
   friction::Friction found = friction::friction_of(input.scene,
                                                    {.grid = solution.grid,
-                                                    .P = solution.P,
+                                                    .P = steady::fluid_pressure(solution),
                                                     .H = solution.H,
                                                     .H00 = solution.H00,
                                                     .I0 = film ? &film->I0 : nullptr,
-                                                    .less_tau = film ? &film->less_tau : nullptr},
+                                                    .less_tau = film ? &film->less_tau : nullptr,
+                                                    .P_c = solution.P_c.nodes_x() > 0 ? &solution.P_c : nullptr},
                                                    parameters);
-  if (const std::vector<double>& errors = solution.error_bars.observed; errors.size() == observed_numbers) {
+  if (const std::vector<double>& errors = solution.error_bars.observed; errors.size() >= observed_numbers) {
     found.error_sliding = errors[0];
     found.error_rolling = errors[1];
   }

@@ -14,6 +14,7 @@ Effect subsurface_effect();
 Effect friction_effect();
 Effect thermal_effect();
 Effect roller_effect();
+Effect mixed_effect();
 
 std::vector<Effect> listed_effects() {
   std::vector<Effect> all;
@@ -28,6 +29,7 @@ std::vector<Effect> listed_effects() {
   all.push_back(friction_effect());
   all.push_back(thermal_effect());
   all.push_back(roller_effect());
+  all.push_back(mixed_effect());
   return all;
 }
 

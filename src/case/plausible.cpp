@@ -63,10 +63,9 @@ core::Warnings hardly_a_film(double h_c, double h_m) {
   // Without a film, the report says elsewhere that the mesh does not resolve it.
   if (least <= 0.0) return {};
   if (least < thinnest_film)
-    return {
-        {"thin-film",
-         "the film is " + length(least) +
-             " at its minimum, thinner than a molecule of oil: mixed lubrication is likely, which is not computed"}};
+    return {{"thin-film", "the film is " + length(least) +
+                              " at its minimum, thinner than a molecule of oil: mixed lubrication is likely, which is "
+                              "computed with [mixed] only"}};
   if (h_c > thickest_film)
     return {{"thick-film",
              "the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"}};

@@ -17,6 +17,7 @@
 #include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "effects/mixed/keys.hpp"
 #include "effects/roller/slices.hpp"
 #include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
@@ -106,6 +107,9 @@ void read_errors(Case& input, bool steady) {
       std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_map_"); });
   if (scene.grid.line && !scene.error_maps)
     deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "line contact");
+  if (mixed::called_for(input.deck))
+    deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"),
+                                          "adjoint error estimates need surfaces apart");
   scene.adjoint_errors = steady::read_adjoint_errors(input.deck);
   if (scene.error_maps && deck::called_for(input.deck, "supply"))
     deck::Part{input.deck, "output"}.complain(
@@ -240,7 +244,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   }
   if (deck.errors.empty()) refuse_idle(result);
   deck::throw_if_wrong(deck);
-  scene.one_start_only = why_they_touch(result);
+  if (!scene.boundary_film) scene.one_start_only = why_they_touch(result);
   const bool large =
       static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y() > steady::most_nodes_of_second_newton;
   if (!scene.one_start_only.empty() && large && !given(deck, "multigrid", "max_cycles"))

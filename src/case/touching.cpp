@@ -64,9 +64,9 @@ std::string why_they_touch(const Case& input) {
   if (!(Sq > film)) return {};
   return fmt::format(
       "the surfaces touch: the measured roughness Sq = {} exceeds the minimum film of smooth surfaces, {} (lambda "
-      "ratio {:.2g}), and asperity contact is not computed; remove short waves with {}, or use a smooth {}. Only the "
+      "ratio {:.2g}), and asperity contact is not computed{}; remove short waves with {}, or use a smooth {}. Only the "
       "first strategy was tried; [continuation] path = load tries more",
-      height_text(input, Sq), height_text(input, film), film / Sq,
+      height_text(input, Sq), height_text(input, film), film / Sq, input.roller ? "" : " without [mixed]",
       input.roller && input.roller->trace.rough > 0.0 ? "[roller] shortest_wave" : "shortest_wave of the map",
       input.roller ? "profile" : "surface");
 }

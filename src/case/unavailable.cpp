@@ -5,9 +5,10 @@
 namespace ehl::program {
 
 std::vector<deck::Unavailable> unavailable() {
-  const std::string mixed =
-      "asperity contact (mixed lubrication) is not available: Sq1 and Sq2 of [contact] give the lambda ratio, and "
-      "[surface1] or [surface2] a wave, a dent or a measured map that the oil film separates";
+  const std::string asperities =
+      "there is no such section: [mixed] lets surfaces touch at a boundary film; Sq1 and Sq2 of [contact] give the "
+      "lambda "
+      "ratio, and [surface1] or [surface2] a wave, a dent or a measured map";
   const std::string roughness =
       "there is no such section: the roughness heights are Sq1 and Sq2 of [contact], and the shape of a roughness is "
       "given in [surface1] or [surface2]";
@@ -40,8 +41,7 @@ std::vector<deck::Unavailable> unavailable() {
       "this law of shear-thinning is not available: use [shear] law = eyring or carreau, and [friction] limit for a "
       "stress that the oil does not exceed";
   return {{"surface", "", "is not a section: write [surface1] or [surface2]"},
-          {"mixed", "", mixed},
-          {"asperities", "", mixed},
+          {"asperities", "", asperities},
           {"roughness", "", roughness},
           {"coating", "", coating},
           {"coating1", "", coating},

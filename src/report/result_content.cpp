@@ -114,10 +114,11 @@ DerivedFields derived_fields(const Case& input, const steady::Solution& solution
     derived.S = core::Field(solution.grid);
     input.scene.surface(solution.grid, derived.S);
   }
+  const core::Field& P = steady::fluid_pressure(solution);
   for (const PressureField& one : pressure_fields) {
     if (!wanted(input, one.name)) continue;
     core::Field& field = derived.*one.field = core::Field(solution.grid);
-    for (int i = 0; i < solution.grid.nodes_x(); ++i) one.of(input, solution.P.station(i), field.station(i));
+    for (int i = 0; i < solution.grid.nodes_x(); ++i) one.of(input, P.station(i), field.station(i));
   }
   return derived;
 }

@@ -67,6 +67,8 @@ std::string roughness_line(const Case& input, const std::optional<Roughness>& ro
 
 std::optional<core::Warning> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness || !(roughness->lambda_ratio() < full_film)) return std::nullopt;
+  const bool mixed = input.scene.boundary_film.has_value();
+  if (mixed && measured_roughness(input) > 0.0) return std::nullopt;  // the contact of the roughness is computed
   const bool touch = roughness->lambda_ratio() < touching_film;
   return core::Warning{
       "lambda",
@@ -74,7 +76,9 @@ std::optional<core::Warning> roughness_warning(const Case& input, const std::opt
           "lambda ratio {:.2g} is below {:g}: the film {} is too thin to separate surfaces of roughness S_q = {}; {}",
           roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
           height(input, roughness->Sq),
-          touch ? "they touch, and asperity contact is not computed" : "mixed lubrication is likely")};
+          mixed   ? "[mixed] counts the contact of given shapes, not of a roughness that is known by S_q alone"
+          : touch ? "they touch, and asperity contact is not computed"
+                  : "mixed lubrication is likely")};
 }
 
 }  // namespace ehl::program

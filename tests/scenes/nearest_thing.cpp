@@ -31,7 +31,7 @@ void check(const Mistake& mistake) {
 
 BOOST_AUTO_TEST_CASE(names_that_are_not_there) {
   for (const Mistake& mistake : {
-           Mistake{good + "[mixed]\nh_b = 1\n", "", "asperity contact (mixed lubrication) is not available"},
+           Mistake{good + "[asperities]\nsigma = 1\n", "", "[mixed] lets surfaces touch at a boundary film"},
            Mistake{good + "[coating]\nE = 1\n", "", "give coating1_E"},
            Mistake{good + "[wear]\nk = 1\n", "", "wear is not computed"},
            Mistake{good + "[grease]\nk = 1\n", "", "give the base oil in [lubricant]"},

@@ -61,7 +61,7 @@ std::vector<Door> doors() {
        {"Eigen/", "unsupported/Eigen/"},
        {"mlmi", "newton", "multigrid"},
        {"modules/mlmi/fourier_transform_eigen.cpp", "modules/newton/preconditioner.cpp",
-        "modules/multigrid/acceleration.cpp"}},
+        "modules/newton/line_factors.hpp", "modules/newton/line_factors.cpp", "modules/multigrid/acceleration.cpp"}},
   };
 }
 

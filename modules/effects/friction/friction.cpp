@@ -130,6 +130,11 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
         result.cavitated += w * oil * tau;
       }
       tau *= oil;
+      if (film.P_c && parameters.stress != 0.0) {
+        const double rubbed = std::copysign(parameters.boundary, parameters.stress) * (*film.P_c)(i, j);
+        result.boundary += w * rubbed;
+        tau += rubbed;
+      }
       result.sliding += w * tau;
       const double rolling =
           oil * 0.5 * parameters.slope * H * core::slope_X(film.P, film.grid.nx, film.grid.hx(), i, j);
@@ -156,8 +161,8 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
     result.cavitated += outside.cavitated * nodes_per_area;
   }
   const double load = std::isnan(film.load) ? load_inside : film.load * nodes_per_area;
-  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.beyond, &result.rolling_beyond,
-                       &result.outer, &result.side, &limited_load, &unlikely_load})
+  for (double* part : {&result.sliding, &result.rolling, &result.boundary, &result.cavitated, &result.beyond,
+                       &result.rolling_beyond, &result.outer, &result.side, &limited_load, &unlikely_load})
     *part /= load;
   result.limited_share = limited_load;
   result.unlikely_share = unlikely_load;

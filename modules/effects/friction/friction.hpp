@@ -40,6 +40,7 @@ struct Parameters {
   double thinning_k = core::unknown;
   Cavitated cavitated = Cavitated::striated;
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda: limiting shear stress over pressure
+  double boundary = 0.0;                                   ///< friction coefficient where the surfaces touch
   bool keep_tau1 = false, keep_tau2 = false;
   bool oblique = false;  ///< not symmetric in Y, so that a side force exists
   /// Rolling friction of X < outer_X is reported separately: the outer half of a flooded inlet. NaN: not reported.
@@ -66,6 +67,7 @@ struct Film {
   core::QuadraticForm gap{0.5, 0.0, 0.5};  ///< of the undeformed bodies; gives the contour of the meniscus
   double lambda = 0.0;                     ///< of a line contact with `outside`
   const Outside* outside = nullptr;        ///< null: no oil there
+  const core::Field* P_c = nullptr;        ///< pressure of touching surfaces; P is that of the oil alone; null: 0
   bool starved = false;                    ///< upstream of the film the surfaces carry separate layers
 };
 
@@ -80,6 +82,7 @@ struct Friction {
   double on_1 = 0.0;            ///< force on surface 1 along +x: -(sliding + rolling)
   double on_2 = 0.0;            ///< on surface 2: sliding - rolling
   double side = core::unknown;  ///< force on each surface along +y; NaN if the contact is symmetric in Y
+  double boundary = 0.0;        ///< part of `sliding` from touching surfaces
   double cavitated = 0.0;       ///< part of `sliding` where P = 0
   double beyond = 0.0;          ///< part of `sliding` outside the domain
   double rolling_beyond = 0.0;  ///< part of `rolling` outside the domain

@@ -57,6 +57,7 @@ Friction friction_at(const steady::Scene& scene, const steady::SolvedFilm& film,
           .load = contact::load(scene.contact.shape),
           .gap = contact::gap(scene.contact.shape),
           .lambda = scene.lambda,
+          .P_c = film.P_c,
           .starved = bool(scene.supply)};
   if (around.far_field() == nullptr) {
     if (!scene.supply && std::isinf(parameters.meniscus))

@@ -1019,6 +1019,21 @@ class RollerKeys(TypedDict, total=False):
     """Value of tilt in mrad, for a contact in SI. (only with [roller] profile)
     default: none; allowed: a number >= -100 and <= 100 mrad"""
 
+class MixedKeys(TypedDict, total=False):
+    """Mixed lubrication: rough or smooth surfaces that touch where the film falls to a boundary film."""
+    h_b: float | str
+    """Thickness of the boundary film that remains between surfaces that touch, for a contact in SI: the adsorbed layer. The gap is nowhere thinner; where it is this thin the surfaces carry load by a contact pressure in addition to that of the oil. With this key asperity contact is part of a steady point, elliptic or line contact. Not available with [transient], [thermal], [supply], [shear] flow = on, rollers, or [grid] accuracy.
+    default: none; allowed: a number > 0 and <= 1e-06 m"""
+    H_b: float | str
+    """The same in units of H: h_b R/a^2. For a contact in M and L.
+    default: none; allowed: a number > 0"""
+    mu_b: float | str
+    """Friction coefficient of the boundary film where the surfaces touch. [friction] then has a boundary part, mu_b times the load share of the contact.
+    default: none; allowed: a number >= 0 and <= 2"""
+    hardness: float | str
+    """Hardness of the softer surface: largest contact pressure. Where it is reached, the surface yields by as much as keeps the gap at the boundary film.
+    default: none: the bodies stay elastic; allowed: a number > 0 Pa"""
+
 class OutputKeys(TypedDict, total=False):
     """The result file and what it contains."""
     file: str | os.PathLike[str]
@@ -1065,6 +1080,7 @@ def run(
     friction: FrictionKeys = ...,
     thermal: ThermalKeys = ...,
     roller: RollerKeys = ...,
+    mixed: MixedKeys = ...,
     output: OutputKeys = ...,
 ) -> Result: ...
 
@@ -1098,6 +1114,7 @@ def check(
     friction: FrictionKeys = ...,
     thermal: ThermalKeys = ...,
     roller: RollerKeys = ...,
+    mixed: MixedKeys = ...,
     output: OutputKeys = ...,
 ) -> Result: ...
 
@@ -1137,5 +1154,6 @@ def sweep(
     friction: FrictionKeys = ...,
     thermal: ThermalKeys = ...,
     roller: RollerKeys = ...,
+    mixed: MixedKeys = ...,
     output: OutputKeys = ...,
 ) -> pd.DataFrame: ...
