@@ -52,8 +52,7 @@ bool symmetric(const Conditions& conditions);
 
 /// Times in [0, end] at which a time step must end: jumps, corners, the quarters of short ramps, whole periods, and the
 /// end; ascending. in: period, NaN if the conditions do not repeat.
-std::vector<double> stops_of(const Conditions& conditions, double end,
-                             double period = core::unknown);
+std::vector<double> stops_of(const Conditions& conditions, double end, double period = core::unknown);
 
 /// True if load, speed, radius or supply jumps at T.
 bool jumps_at(const Conditions& conditions, double T, double end);

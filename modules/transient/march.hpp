@@ -25,9 +25,9 @@ struct MarchParameters {
   double stop_steady = core::unknown;  ///< end when Hc, Hm and P_max change by less than this, relative, in a time of 1
   double period = core::unknown;       ///< of the conditions; NaN: they do not repeat
   double stop_periodic =
-      core::unknown;            ///< end when Hc and Hm change by less than this, relative, from period to period
+      core::unknown;  ///< end when Hc and Hm change by less than this, relative, from period to period
   double start_of_means = core::unknown;  ///< extremes and means are taken from here on; NaN: see the key of this name
-  std::vector<Place> probes{};  ///< where P and H are recorded at every step
+  std::vector<Place> probes{};            ///< where P and H are recorded at every step
 };
 
 /// One accepted step.

@@ -110,7 +110,7 @@ void after_solution(const Case& input, RunSettings& settings, Computed& computed
     const judgement::Extrapolation limit = judgement::extrapolate(shares, order, unsure);
     result.share_extrapolated = limit.value;
     const bool several = shares.size() > 1 && input.scene.grid.nx % 2 == 0 && input.scene.grid.ny % 2 == 0;
-    if (settings.extent >= Extent::contact && solution.converged && result.contact.share > 0.0 && several) {
+    if (settings.extent >= Extent::whole && solution.converged && result.contact.share > 0.0 && several) {
       result.share_coarse = shares.end()[-2];
       try {
         result.share_of_half_film = share_of_half_film(input);

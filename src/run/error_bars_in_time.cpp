@@ -48,7 +48,7 @@ Case on_half_the_cells(const Case& input) {
   scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
   scene.adjoint_errors = scene.error_maps = false;
   transient::MarchParameters& march = half.transient->parameters;
-  march.output_interval = transient::core::unknown;
+  march.output_interval = core::unknown;
   march.probes.clear();
   half.transient->mode = transient::Mode::in_time;
   half.transient->error_bars = false;

@@ -21,7 +21,8 @@ deck::Records<Parameters> records() {
           source("modules/effects/friction/README.md")),
       key("limit", &Parameters::limit, up_to(10.0), example("0.08"),
           "Limiting shear stress over pressure, Lambda: the shear stress of sliding stays below Lambda p. Without "
-          "this key there is no limit. The limit changes the friction, and with [shear] flow = on also the film, where the limit is at least tau_0 or G.",
+          "this key there is no limit. The limit changes the friction, and with [shear] flow = on also the film, where "
+          "the limit is at least tau_0 or G.",
           remedy("lubricants have 0.03 to 0.12")),
       key("meniscus", Range{1.0, 1e6, true, false}, example("10"),
           otherwise("the radius of the bodies in the rolling direction; none for a line contact: the oil reaches to "

@@ -76,18 +76,19 @@ Group transient_numbers() {
   };
   using R = transient::MarchReport;
   std::vector<Number>& list = group.numbers;
-  list = {number(id::completed, "-", "1: the run in time is complete, 0: it is not", column(701),
-                 [](Of s) { return completed(in_time(s)); }),
-          number(id::ended, "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
-          number("start_converged", "-", "1: the steady contact was found; 0: bodies that start separated do not need it",
-                 [](Of s) { return s.computed.solution.converged; }),
-          number("end_time", "a/u_m", "time reached", column(702), [](Of s) { return march(s).T; }),
-          number("start_of_means", "a/u_m", "start of the times of all extremes and means", column(703),
-                 [](Of s) { return window_of_means(s.input, in_time(s)).from; }),
-          number("end_of_means", "a/u_m", "their end", column(704),
-                 [](Of s) { return window_of_means(s.input, in_time(s)).to; }),
-          number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
-          number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; })};
+  list = {
+      number(id::completed, "-", "1: the run in time is complete, 0: it is not", column(701),
+             [](Of s) { return completed(in_time(s)); }),
+      number(id::ended, "", "how the run in time ended", [](Of s) { return how_it_ended(march(s)); }),
+      number("start_converged", "-", "1: the steady contact was found; 0: bodies that start separated do not need it",
+             [](Of s) { return s.computed.solution.converged; }),
+      number("end_time", "a/u_m", "time reached", column(702), [](Of s) { return march(s).T; }),
+      number("start_of_means", "a/u_m", "start of the times of all extremes and means", column(703),
+             [](Of s) { return window_of_means(s.input, in_time(s)).from; }),
+      number("end_of_means", "a/u_m", "their end", column(704),
+             [](Of s) { return window_of_means(s.input, in_time(s)).to; }),
+      number(id::Hc, "a^2/R", "film at (0,0) at the end", [](Of s) { return in_time(s).rows.back().Hc; }),
+      number(id::Hm, "a^2/R", "minimum film at the end", [](Of s) { return in_time(s).rows.back().Hm; })};
   int place = 710, place_in_SI = 141;
   for (const Course& course : courses)
     for (const Kind& kind : kinds) add_course(course, kind, place, place_in_SI, list);

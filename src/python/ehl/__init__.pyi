@@ -869,7 +869,7 @@ class FrictionKeys(TypedDict, total=False):
     """Computes the friction, with [transient] at every step, and states what the cavitated region adds to it. none: nothing. striated: oil streamers that carry the oil which left the pressurized film; the rest of the width is gas. full: an oil film that fills the whole gap.
     default: none; allowed: one of none, striated, full"""
     limit: float | str
-    """Limiting shear stress over pressure, Lambda: the shear stress of sliding stays below Lambda p. Without this key there is no limit. The limit changes the friction, not the film.
+    """Limiting shear stress over pressure, Lambda: the shear stress of sliding stays below Lambda p. Without this key there is no limit. The limit changes the friction, and with [shear] flow = on also the film, where the limit is at least tau_0 or G.
     default: none; allowed: a number > 0 and <= 10"""
     meniscus: float | str
     """Distance of the inlet meniscus from the centre of the contact, in Hertz radii. Oil fills the gap to where the undeformed gap is as wide as at this distance. Friction is counted up to it, also outside the domain; for a point contact it grows with the logarithm of the distance. The pressure is still that of a flooded contact.
