@@ -117,6 +117,7 @@ struct MixedResult {
   double share_extrapolated = core::unknown;
   double share_coarse = core::unknown;        ///< on half as many cells
   double share_of_half_film = core::unknown;  ///< the same with half the boundary film
+  double seconds = 0.0;                       ///< of these numbers, among them the solution with half the film
 };
 
 /// The contact, and the results of each effect.

@@ -10,6 +10,7 @@
 #include "contact/ellipse.hpp"
 #include "core/constants.hpp"
 #include "core/errors.hpp"
+#include "core/timer.hpp"
 #include "deck/text.hpp"
 #include "effects/mixed/contact.hpp"
 #include "effects/mixed/keys.hpp"
@@ -97,6 +98,7 @@ std::size_t place_of_share(const steady::Solution& solution) {
 }
 
 void after_solution(const Case& input, RunSettings& settings, Computed& computed) {
+  const double began = core::now();
   const steady::Solution& solution = computed.solution;
   MixedResult result{.contact = contact_of(input.scene, solution.grid, solution.P_c)};
   const std::vector<double>& errors = solution.error_bars.observed;
@@ -119,6 +121,7 @@ void after_solution(const Case& input, RunSettings& settings, Computed& computed
       }
     }
   }
+  result.seconds = core::now() - began;
   computed.mixed = result;
 }
 
@@ -219,6 +222,7 @@ Effect mixed_effect() {
           .what = what,
           .summary = summary,
           .add_content = add_content,
+          .seconds = [](const Computed& computed) { return computed.mixed ? computed.mixed->seconds : 0.0; },
           .example = {"mixed.H_b=0.02"}};
 }
 

@@ -83,7 +83,7 @@ std::string asperity_report(const AsperityRun& run) {
       z.eta_beta_sigma, z.sigma_over_beta, length(z.summit_sigma), length(z.summit_height));
   text += "bodies       " + bodies_text(run) + "\n\n";
   text += fmt::format("{:>9} {:>7} {:>11} {:>11} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "gap", "gap/Sq",
-                      "pressure", "Gr.-Will.", "area", "phi_x", "phi_y", "Patir x", "Patir y", "err gap", "err phi");
+                      "pressure", "Gr.-Will.", "contact", "phi_x", "phi_y", "Patir x", "Patir y", "err gap", "err phi");
   for (const MapRow& row : run.result.rows) {
     text +=
         fmt::format("{:>9} {:>7.3f} {:>11} {:>11} {:>9} {:>8.4f} {:>8.4f} {:>8} {:>8} {:>8} {:>8}{}\n", length(row.gap),

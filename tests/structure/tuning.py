@@ -51,7 +51,7 @@ NOT_TUNED = {
     "transient": {
         "a_little": "difference quotient", "not_tested": "IDA needs weights above zero", "closed": "rounding",
         "samples": "check of an input", "unlimited": "IDA's", "tolerance": "IDA's", "rounding_of_time": "rounding", "rounding": "rounding",
-        "most_periods": "memory", "unknown": "NaN", "exact_of_line": "exact", "rigid": "definition", "widest_range": "check of an input",
+        "most_periods": "memory", "exact_of_line": "exact", "rigid": "definition", "widest_range": "check of an input",
         "parts_of_a_ramp": "definition of a ramp", "time_of_a_jump": "definition of a jump",
         "steep": "definition of a jump", "parts_of_a_period": "definition of a wave", "short_ramp": "definition of a ramp",
         "window": "definition of rest", "halvings": "bisection",

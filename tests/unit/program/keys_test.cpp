@@ -54,6 +54,7 @@ BOOST_AUTO_TEST_CASE(every_declared_key_is_read) {
                .deck,
            read);
   add_read(program::read_case(EHL_INPUTS "/line/gear_tooth.ini", {"supply.flow_m2_per_s=1e-6"}, 1).deck, read);
+  add_read(program::read_case(EHL_INPUTS "/mixed/stribeck.ini", {"mixed.hardness=8e9"}, 1).deck, read);
   for (const deck::Key& key : program::catalogue().keys) {
     const std::string name = key.section + "." + key.name;
     BOOST_TEST(read.contains(name), name << " is declared, and nobody reads it");
