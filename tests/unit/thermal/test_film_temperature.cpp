@@ -277,8 +277,7 @@ BOOST_AUTO_TEST_CASE(a_surface_that_moves_against_the_entrainment_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_limiting_stress_acts_on_the_flow) {
-  // Eyring's stress is asinh(k)/k of the Newtonian stress, limited to limit P: the flow has the viscosity limit/rate.
-  // For the flow the limit is at least tau_0 = 1/k_m.
+  // Eyring's stress is asinh(k)/k of the Newtonian, at most limit P, in the flow at least 1/k_m: viscosity limit/rate.
   const Grid grid{8, 8, 0.0, 1.0, 0.0, 1.0};
   constexpr double sliding = 0.5, k_m = 20.0;
   for (const double limit : {0.01, 1.0}) {
