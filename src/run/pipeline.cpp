@@ -50,10 +50,12 @@ void compute_effects(const Case& input, RunSettings& settings, Computed& compute
   if (extent == Extent::row && !computed.solution.converged) return;
   if (extent == Extent::whole) computed.derived = derived_fields(input, computed.solution);
   const std::vector<Effect> on = effects_of(input);
-  for (const Effect& effect : on)
-    if (effect.stages.in_time && extent >= Extent::row && !computed.in_time)
-      effect.stages.in_time(input, settings, computed);
-  add_error_bars_in_time(input, settings, computed);
+  // A sweep that keeps results comes here twice, and the run in time is there the second time.
+  if (extent >= Extent::row && !computed.in_time) {
+    for (const Effect& effect : on)
+      if (effect.stages.in_time) effect.stages.in_time(input, settings, computed);
+    add_error_bars_in_time(input, settings, computed);
+  }
   for (const Effect& effect : on)
     if (effect.stages.after_solution && extent >= effect.stages.from)
       effect.stages.after_solution(input, settings, computed);
