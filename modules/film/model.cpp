@@ -65,15 +65,14 @@ void apply_limit(const Model& model, const Station& station, std::span<double> a
   }
 }
 
-// d ln(over_limit)/dP and /dH, 0 below the limit. in: fluidity before thinning, d ln(across)/d ln(fluidity), d ln
-// eta_bar/dP.
+// d ln(over_limit)/dP and /dH, 0 below the limit. in: a model with a limit; fluidity before thinning, d ln(across)/d
+// ln(fluidity), d ln eta_bar/dP.
 struct LimitSlopes {
   double by_P = 0.0, by_H = 0.0;
 };
 std::vector<LimitSlopes> limit_slopes(const Model& model, const Station& station, std::span<const double> fluidity,
                                       const std::vector<double>& theta_across, const std::vector<double>& slope) {
   std::vector<LimitSlopes> all(station.P.size());
-  if (!model.limit) return all;
   std::vector<double> along(all.size()), across(all.size());
   rheology::film_fluidity(thinning(model, station), station.H, fluidity, along, across);
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -91,12 +91,14 @@ struct Preconditioner::Implementation {
   }
   void make_order();
   void assemble(Vector& column_of_H00);
-  /// Calls action(node, k) for the nodes of this kind, k the index of w in u.
+  /// Calls action(node, k) for the nodes where the surfaces touch, k the index of w in u.
   template <class Action>
-  void for_touching(Equations::Touch kind, Action action) const {
+  void for_touching(Action action) const {
+    if (!equations.touching()) return;
     for (std::size_t node = 0; node < equations.nodes(); ++node)
-      if (equations.touching() && equations.touch(node) == kind) action(node, equations.nodes() + node);
+      if (equations.touch(node) != Equations::Touch::none) action(node, equations.nodes() + node);
   }
+  /// What the load changes by the unknown w of a node where the surfaces touch: nothing where they yield.
   double load_of(std::size_t node) const;
   void subtract_known_film(std::span<const double> v);
   void solve_touching(double dH00, std::span<double> v) const;
@@ -189,13 +191,13 @@ bool Preconditioner::Implementation::factor_sparse() {
     return grid.hx() * grid.hy() * grid.lines(node.second) / equations.level().load;
   });
   schur = load_row.dot(border);
-  for_touching(Equations::Touch::touches,
-               [&](std::size_t node, std::size_t) { schur += load_of(node) * equations.touching_scale(); });
+  for_touching([&](std::size_t node, std::size_t) { schur += load_of(node) * equations.touching_scale(); });
   rhs.resize(size());
   return border.allFinite() && schur != 0.0;
 }
 
 double Preconditioner::Implementation::load_of(std::size_t node) const {
+  if (equations.touch(node) == Equations::Touch::yields) return 0.0;
   const core::Patch& grid = equations.grid();
   const int j = static_cast<int>(node % static_cast<std::size_t>(grid.last_line())) + 1;
   return grid.hx() * grid.hy() * grid.lines(j) / equations.level().load;
@@ -210,10 +212,9 @@ void Preconditioner::Implementation::subtract_known_film(std::span<const double>
   }
   dH.fill(0.0);
   const auto lines = static_cast<std::size_t>(grid.last_line());
-  for (const auto kind : {Equations::Touch::touches, Equations::Touch::yields})
-    for_touching(kind, [&](std::size_t node, std::size_t k) {
-      dH(static_cast<int>(node / lines) + 1, static_cast<int>(node % lines) + 1) = v[k] / equations.touching_scale();
-    });
+  for_touching([&](std::size_t node, std::size_t k) {
+    dH(static_cast<int>(node / lines) + 1, static_cast<int>(node % lines) + 1) = v[k] / equations.touching_scale();
+  });
   equations.change_of_residual(dP, dH, change);
   for (Eigen::Index k = 0; k < size(); ++k) rhs[k] -= equations.scale(node(k)) * change[node(k)];
 }
@@ -222,8 +223,7 @@ void Preconditioner::Implementation::subtract_known_film(std::span<const double>
 void Preconditioner::Implementation::solve_touching(double dH00, std::span<double> v) const {
   const double s = equations.touching_scale();
   const auto fluid = [&](std::size_t node) { return equations.wet(node) ? v[node] : 0.0; };
-  for_touching(Equations::Touch::touches, [&](std::size_t node, std::size_t k) { v[k] += -s * dH00 - fluid(node); });
-  for_touching(Equations::Touch::yields, [&](std::size_t node, std::size_t k) { v[k] += -s * dH00 - fluid(node); });
+  for_touching([&](std::size_t node, std::size_t k) { v[k] += -s * dH00 - fluid(node); });
 }
 
 Preconditioner::Preconditioner(Equations& equations, Precision of_dense, std::size_t dense_up_to)
@@ -250,8 +250,7 @@ void Preconditioner::solve(std::span<double> v) {
   if (touching) own.subtract_known_film(v);
   own.solution = own.lu.solve(own.rhs);
   double load = own.load_row.dot(own.solution);
-  own.for_touching(Equations::Touch::touches,
-                   [&](std::size_t node, std::size_t k) { load += own.load_of(node) * v[k]; });
+  own.for_touching([&](std::size_t node, std::size_t k) { load += own.load_of(node) * v[k]; });
   const double dH00 = (load - v.back()) / own.schur;
   for (Eigen::Index k = 0; k < own.size(); ++k) v[own.node(k)] = own.solution[k] - dH00 * own.border[k];
   if (touching) own.solve_touching(dH00, v);

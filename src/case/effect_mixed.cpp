@@ -7,6 +7,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/numbers/records.hpp"
+#include "case/touching.hpp"
 #include "contact/ellipse.hpp"
 #include "core/constants.hpp"
 #include "core/errors.hpp"
@@ -123,10 +124,6 @@ void after_solution(const Case& input, RunSettings& settings, Computed& computed
   }
   result.seconds = core::now() - began;
   computed.mixed = result;
-}
-
-std::string height_text(const Case& input, double H) {
-  return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
 }
 
 std::string what(const Case& input) {

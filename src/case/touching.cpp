@@ -19,10 +19,6 @@ double over_radius(const contact::FilmThickness& film, const contact::Groups& gr
   return contact::H_from_thickness_over_radius(film.minimum, groups.W, groups.shape);
 }
 
-std::string height_text(const Case& input, double H) {
-  return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
-}
-
 // The part of the roughness that the mesh resolves: waves shorter than a cell are averaged out.
 double roughness_on_mesh(const Case& input) {
   double Sq = input.roller ? input.roller->trace.rough : 0.0;
@@ -36,6 +32,10 @@ double roughness_on_mesh(const Case& input) {
 }
 
 }  // namespace
+
+std::string height_text(const Case& input, double H) {
+  return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
+}
 
 double measured_roughness(const Case& input) {
   double Sq = input.roller ? input.roller->trace.rough : 0.0;

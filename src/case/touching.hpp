@@ -15,6 +15,9 @@ double measured_roughness(const Case& input);
 /// Chittenden. NaN: none of them applies.
 double smallest_smooth_film(const contact::Groups& groups);
 
+/// A height as text: in SI if the contact is, else in a^2/R.
+std::string height_text(const Case& input, double H);
+
 /// The reason why the surfaces touch: the measured roughness that the mesh resolves exceeds the minimum film of smooth
 /// surfaces. Empty if they do not touch, and always in time or without lubricant.
 std::string why_they_touch(const Case& input);

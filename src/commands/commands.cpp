@@ -122,9 +122,9 @@ const Command fit_command{
 const Command asperities_command{
     "asperities",
     "MAP",
-    "presses a measured map on a smooth plane and lets oil flow through the gaps that remain: asperity pressure, area "
-    "in "
-    "contact and flow factors against the gap, as a table for `ehl plot`. Lengths and pressures are in SI units",
+    "presses a measured map on a smooth plane and lets oil flow through the gaps that remain: asperity pressure, "
+    "area in contact and flow factors against the gap, as a table for `ehl plot`. Lengths and pressures are in SI "
+    "units",
     {{"dx", "METRES", "distance between the points along x (default: that of the file)"},
      {"dy", "METRES", "distance between the points along y (default: that of the file, else dx)"},
      {"unit", "METRES", "height of the number 1 in the file (default: that of the file)"},

@@ -113,7 +113,9 @@ std::vector<Figure> figures_of_page(const std::vector<Figure>& all, const Figure
 
 std::string list_of_figures(const std::vector<Figure>& all) {
   std::string text;
-  for (const char* kind : {"result", "sweep", "study", "time_study", "asperities"}) {
+  std::vector<std::string> kinds{"result"};
+  kinds.insert(kinds.end(), table_kinds.begin(), table_kinds.end());
+  for (const std::string& kind : kinds) {
     text += "\nfigures of " + told(kind) + "\n";
     for (const Figure& figure : all) {
       if (kind_of(figure) != kind) continue;

@@ -20,13 +20,8 @@ constexpr double full_film = 3.0;
 /// Below this lambda ratio the roughness exceeds the film.
 constexpr double touching_film = 1.0;
 
-std::string height(const Case& input, double H) {
-  if (input.physics.si) return length(H * input.physics.si->hertz.h_scale);
-  return fmt::format("{:.4g} a^2/R", H);
-}
-
 std::string film(const Case& input, const Roughness& rough) {
-  return numbers::symbol_of(id::hm) + " = " + height(input, rough.Hm) +
+  return numbers::symbol_of(id::hm) + " = " + height_text(input, rough.Hm) +
          (rough.from.empty() ? "" : " by " + rough.from + " for smooth surfaces");
 }
 
@@ -59,7 +54,7 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
 
 std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness) return {};
-  const std::string text = "roughness    S_q = " + height(input, roughness->Sq) + " of both surfaces together";
+  const std::string text = "roughness    S_q = " + height_text(input, roughness->Sq) + " of both surfaces together";
   if (std::isnan(roughness->Hm)) return text + "; no formula gives the minimum film of smooth surfaces\n";
   return text + fmt::format("; {} = {:.3g} with {}\n", numbers::number_of(id::lambda_ratio).label,
                             roughness->lambda_ratio(), film(input, *roughness));
@@ -75,7 +70,7 @@ std::optional<core::Warning> roughness_warning(const Case& input, const std::opt
       fmt::format(
           "lambda ratio {:.2g} is below {:g}: the film {} is too thin to separate surfaces of roughness S_q = {}; {}",
           roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
-          height(input, roughness->Sq),
+          height_text(input, roughness->Sq),
           mixed   ? "[mixed] counts the contact of given shapes, not of a roughness that is known by S_q alone"
           : touch ? "they touch, and asperity contact is not computed"
                   : "mixed lubrication is likely")};

@@ -43,8 +43,7 @@ constexpr Barred columns[] = {{id::Hc, &StepRow::error_Hc, 0.27, 0.0},
 Case on_half_the_cells(const Case& input) {
   Case half = input;
   steady::Scene& scene = half.scene;
-  const core::Grid& grid = input.scene.grid;
-  scene.grid = grid.line ? core::line_grid(grid.nx / 2, grid.X_a, grid.X_b) : core::coarsened(grid);
+  scene.grid = core::coarsened(scene.grid);
   scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
   scene.adjoint_errors = scene.error_maps = false;
   transient::MarchParameters& march = half.transient->parameters;

@@ -72,8 +72,8 @@ std::string asperity_report(const AsperityRun& run) {
   std::string text = "map          " + map_text(run) + "\n";
   text += fmt::format(
       "roughness    Sq {}, slope {:.4g}, correlation length {} along x, {} along y, gamma {}, skewness {:.3f}, "
-      "kurtosis "
-      "{:.3f}\n",
+      ""
+      "kurtosis {:.3f}\n",
       length(z.Sq), z.slope, std::isfinite(z.correlation_x) ? length(z.correlation_x) : "-",
       std::isfinite(z.correlation_y) ? length(z.correlation_y) : "-", known("{:.3g}", z.peklenik), z.skewness,
       z.kurtosis);

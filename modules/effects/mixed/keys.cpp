@@ -26,8 +26,8 @@ deck::Records<Input> records() {
           remedy("boundary films have 0.08 to 0.15")),
       key("hardness", unit("Pa"), positive, example("8e9"), otherwise("none: the bodies stay elastic"),
           "Hardness of the softer surface: largest contact pressure. Where it is reached, the surface yields by as "
-          "much "
-          "as keeps the gap at the boundary film.",
+          "much as "
+          "keeps the gap at the boundary film.",
           remedy("hardened steel has 6e9 to 8e9"))};
 }
 
