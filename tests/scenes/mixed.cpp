@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/program.hpp"
+#include "support/solved.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_mixed)
 
@@ -29,21 +30,14 @@ wedge = upstream2
 cells = 64
 )";
 
-nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, const std::string& sets = "") {
-  folder.write("case.ini", deck);
-  const Ended run = ehl(folder, "run case.ini --json --quiet --overwrite " + sets);
-  BOOST_TEST_REQUIRE(run.status == 0, run.err);
-  return nlohmann::json::parse(run.out);
-}
-
 double share_of(const nlohmann::json& report) { return report["mixed"]["load_share"].get<double>(); }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_deck_has_the_share_of_an_independent_program) {
   const TemporaryFolder folder;
-  const Ended run =
-      ehl(folder, std::string("run '") + EHL_INPUTS + "/mixed/smooth_M50_L10.ini' --json --quiet --output case.h5");
+  const Ended run = support::ehl(
+      folder, std::string("run '") + EHL_INPUTS + "/mixed/smooth_M50_L10.ini' --json --quiet --output case.h5");
   BOOST_TEST_REQUIRE(run.status == 0, run.err);
   const nlohmann::json report = nlohmann::json::parse(run.out);
   std::printf("share %.8f, expected 0.05096225 (1e-7)\n", share_of(report));
@@ -52,8 +46,8 @@ BOOST_AUTO_TEST_CASE(the_deck_has_the_share_of_an_independent_program) {
 
 BOOST_AUTO_TEST_CASE(a_film_that_is_thicker_stays_as_it_is) {
   const TemporaryFolder folder;
-  const nlohmann::json without = solved(folder, point);
-  const nlohmann::json with = solved(folder, point, "--set mixed.H_b=0.05");
+  const nlohmann::json without = solved_json(folder, point);
+  const nlohmann::json with = solved_json(folder, point, "--set mixed.H_b=0.05");
   BOOST_TEST(share_of(with) == 0.0);
   for (const char* name : {"Hc", "Hm", "P_max", "H00"})
     BOOST_TEST(with[name].get<double>() == without[name].get<double>());
@@ -63,10 +57,10 @@ BOOST_AUTO_TEST_CASE(a_film_that_is_thicker_stays_as_it_is) {
 BOOST_AUTO_TEST_CASE(friction_is_that_of_both) {
   const TemporaryFolder folder;
   for (const double H_b : {0.15, 0.6}) {
-    const nlohmann::json report = solved(folder, point,
-                                         "--set contact.a_over_R=0.01 --set motion.srr=0.2 --set "
-                                         "friction.cavitated=none --set mixed.mu_b=0.12 --set mixed.H_b=" +
-                                             std::to_string(H_b));
+    const nlohmann::json report = solved_json(folder, point,
+                                              "--set contact.a_over_R=0.01 --set motion.srr=0.2 --set "
+                                              "friction.cavitated=none --set mixed.mu_b=0.12 --set mixed.H_b=" +
+                                                  std::to_string(H_b));
     const nlohmann::json& friction = report["friction"];
     const double boundary = friction["mu_boundary"].get<double>(), expected = 0.12 * share_of(report);
     std::printf("H_b %.2f: share %.4f, mu %.5f, of the boundary film %.8f, expected %.8f (1e-9)\n", H_b,
@@ -90,7 +84,7 @@ cells = 64
 H_b = 0.1
 )";
   for (const char* contact : {"kind = line\nM = 20\nL = 5\n", "radius_ratio = 0.3\nM = 50\nL = 10\n"}) {
-    const nlohmann::json report = solved(folder, std::string("[contact]\n") + contact + rest, "--set mixed.H_b=2");
+    const nlohmann::json report = solved_json(folder, std::string("[contact]\n") + contact + rest, "--set mixed.H_b=2");
     std::printf("%s: share %.4f, P_max %.4f, contact area %.4f of the Hertz area\n", contact, share_of(report),
                 report["P_max"].get<double>(), report["mixed"]["contact_area"].get<double>());
     BOOST_TEST(share_of(report) > 0.9);
@@ -104,7 +98,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_available_is_refused) {
   const TemporaryFolder folder;
   folder.write("case.ini", point);
   const auto refused = [&](const std::string& sets, const char* key) {
-    const Ended run = ehl(folder, "check case.ini " + sets);
+    const Ended run = support::ehl(folder, "check case.ini " + sets);
     BOOST_TEST(run.status == 2, sets);
     BOOST_TEST(run.says({"[mixed]", key}), sets << ": " << run.err);
   };

@@ -8,6 +8,7 @@
 #include "support/columns.hpp"
 #include "support/program.hpp"
 #include "support/refused.hpp"
+#include "support/solved.hpp"
 #include "support/text.hpp"
 
 namespace {
@@ -17,13 +18,6 @@ using namespace support;
 const std::string oil = "[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
 const std::string short_grid = "[domain]\nx_inlet = -2.5\nx_outlet = 1.5\n[grid]\ncells = 128\n";
 const std::string numbers = "[contact]\nkind = roller\nM = 20\nL = 5\nlength = 16\n" + oil + short_grid;
-
-nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, const std::string& options = "") {
-  folder.write("case.ini", deck);
-  const Ended run = ehl(folder, "run case.ini --json --quiet --overwrite " + options);
-  BOOST_REQUIRE_MESSAGE(run.status == 0, run.err);
-  return nlohmann::json::parse(run.out);
-}
 
 }  // namespace
 
@@ -92,17 +86,17 @@ BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   const TemporaryFolder folder;
   const std::string profile = "[roller]\nprofile = crowned\ncrown_radius = 15\n";
   const std::string open = numbers.substr(0, numbers.find("[domain]")) + profile;
-  const nlohmann::json found = solved(folder, open + "[grid]\naccuracy = 0.01\n", "--output found.h5");
+  const nlohmann::json found = solved_json(folder, open + "[grid]\naccuracy = 0.01\n", "--output found.h5");
   BOOST_TEST(found["accuracy"]["met"].get<bool>());
   BOOST_TEST(found["P_max_converging"] == true);
   BOOST_TEST(found["roller"]["error_P_end"].get<double>() < 0.1);
   const auto ends = [&](const char* axis) {
-    const auto nodes = rows_of(ehl(folder, std::string("extract found.h5 /grid/") + axis).out);
+    const auto nodes = rows_of(support::ehl(folder, std::string("extract found.h5 /grid/") + axis).out);
     return std::pair(nodes.front()[0], nodes.back()[0]);
   };
   BOOST_TEST((ends("y") == std::pair(-8.0, 8.0)));
   const nlohmann::json truth =
-      solved(folder, open + "[domain]\nx_inlet = -10.5\nx_outlet = 1.5\n[grid]\ncells = 1024\n");
+      solved_json(folder, open + "[domain]\nx_inlet = -10.5\nx_outlet = 1.5\n[grid]\ncells = 1024\n");
   for (const char* film : {"Hc_best", "Hm_best"}) {
     const double error = found[film].get<double>() / truth[film].get<double>() - 1.0;
     BOOST_TEST_MESSAGE(film << " off by " << error << " (asked 0.01), inlet from " << ends("x").first);
@@ -116,13 +110,13 @@ BOOST_AUTO_TEST_CASE(a_strong_crown_gets_a_wider_domain) {
   const TemporaryFolder folder;
   const std::string contact = "[contact]\nkind = roller\nM = 20\nL = 5\nlength = 40\n" + oil;
   const std::string crown = "[roller]\nprofile = crowned\ncrown_radius = 10\n";
-  const nlohmann::json found = solved(folder, contact + crown, "--output found.h5");
-  const auto x = rows_of(ehl(folder, "extract found.h5 /grid/x").out);
+  const nlohmann::json found = solved_json(folder, contact + crown, "--output found.h5");
+  const auto x = rows_of(support::ehl(folder, "extract found.h5 /grid/x").out);
   constexpr double hertz = 1.859;  // half width of the ellipse, by elliptic integrals
   BOOST_TEST(x.back()[0] > 1.3 * hertz);
   BOOST_TEST(-x.front()[0] > 1.3 * hertz);
   const nlohmann::json wider =
-      solved(folder, contact + crown + "[domain]\nx_inlet = -9\nx_outlet = 3.6\n[grid]\ncells = 512\n");
+      solved_json(folder, contact + crown + "[domain]\nx_inlet = -9\nx_outlet = 3.6\n[grid]\ncells = 512\n");
   const double Hm = found["Hm_best"], bar = found["error_Hm_best"], truth = wider["Hm_best"];
   BOOST_TEST_MESSAGE("Hm " << Hm << " +- " << bar << ", on a wider and finer grid " << truth);
   BOOST_TEST(std::abs(truth / Hm - 1.0) < bar);
@@ -132,12 +126,12 @@ BOOST_AUTO_TEST_CASE(a_strong_crown_gets_a_wider_domain) {
 BOOST_AUTO_TEST_CASE(ends_that_bear_are_told) {
   const TemporaryFolder folder;
   const std::string deck = numbers + "[roller]\nprofile = logarithmic\ndesign_load = 1.2\n";
-  const nlohmann::json found = solved(folder, deck, "--output a.h5");
+  const nlohmann::json found = solved_json(folder, deck, "--output a.h5");
   BOOST_TEST(contains(found["warning_names"].dump(), "roller-edge"));
-  BOOST_TEST(contains(ehl(folder, "extract a.h5 /summary/roller_warnings").out, "[roller-edge]"));
-  const Ended sweep = ehl(folder, "sweep case.ini --vary roller.design_load=1.2,3 --output s.csv");
+  BOOST_TEST(contains(support::ehl(folder, "extract a.h5 /summary/roller_warnings").out, "[roller-edge]"));
+  const Ended sweep = support::ehl(folder, "sweep case.ini --vary roller.design_load=1.2,3 --output s.csv");
   BOOST_REQUIRE(sweep.status == 0);
-  BOOST_TEST(ehl(folder, "report a.h5 --output a.html").status == 0);
+  BOOST_TEST(support::ehl(folder, "report a.h5 --output a.html").status == 0);
   BOOST_TEST(contains(folder.read("a.html"), "[roller-edge]"));
   const std::vector<NamedRow> rows = named_rows(folder.read("s.csv"));
   BOOST_TEST_REQUIRE(rows.size() == 2u);
@@ -151,7 +145,7 @@ BOOST_AUTO_TEST_CASE(edges_that_cut_are_foretold) {
   const TemporaryFolder folder;
   for (const auto& [radius, cuts] : {std::pair{"500", true}, {"20", false}}) {
     folder.write("case.ini", numbers + "[roller]\nprofile = crowned\ncrown_radius = " + radius + "\n");
-    BOOST_TEST(contains(ehl(folder, "check case.ini").out, "edge loading") == cuts, radius);
+    BOOST_TEST(contains(support::ehl(folder, "check case.ini").out, "edge loading") == cuts, radius);
   }
 }
 
@@ -167,9 +161,9 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   }
   folder.write("half.csv", "y,drop\n" + half);
   folder.write("whole.csv", whole);
-  const nlohmann::json crown = solved(folder, numbers + "[roller]\nprofile = crowned\ncrown_radius = 15\n");
+  const nlohmann::json crown = solved_json(folder, numbers + "[roller]\nprofile = crowned\ncrown_radius = 15\n");
   for (const char* file : {"half.csv", "whole.csv"}) {
-    const nlohmann::json table = solved(folder, numbers + "[roller]\nprofile = table\nfile = " + file + "\n");
+    const nlohmann::json table = solved_json(folder, numbers + "[roller]\nprofile = table\nfile = " + file + "\n");
     for (const char* name : {"P_middle", "P_end", "H_end"}) {
       const double given = crown["roller"][name], read = table["roller"][name];
       BOOST_TEST(std::abs(read / given - 1.0) < 2e-3, file << " " << name << ": " << read << ", " << given);
@@ -182,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
                            "0,0\n4,0.1\n3,0.2\n9,0.3\n", "0,0\n4,a\n6,0.2\n9,0.3\n", "0,0\n1,0.1\n60,0.2\n81,0.3\n",
                            "0,0\n1,2e6\n2,5e6\n9,1e9\n", "0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n"}) {
     folder.write("wrong.csv", rows);
-    const Ended check = ehl(folder, "check case.ini");
+    const Ended check = support::ehl(folder, "check case.ini");
     BOOST_TEST(check.status == 2, rows);
     BOOST_TEST(contains(check.err, "wrong.csv"), check.err);
   }
@@ -195,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
       "[contact]\nkind = roller\nload = 240\nlength_m = 1.5e-3\nradius_x = 0.004\nE_prime = 226e9\n[motion]\nu1 = 1.5\n"
       "u2 = 1.5\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\nz = 0.6\n";
   const std::string profile = "[roller]\nprofile = logarithmic\ndesign_load_N = 720\ntilt_mrad = 0.2\n";
-  const nlohmann::json found = solved(folder, bodies + profile + short_grid);
+  const nlohmann::json found = solved_json(folder, bodies + profile + short_grid);
   const double per_length = 240.0 / 1.5e-3;
   const double a = std::sqrt(8.0 * per_length * 0.004 / (3.14159265358979 * 226e9));
   const nlohmann::json& roller = found["roller"];
@@ -212,8 +206,9 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   const std::string groups = "[contact]\nkind = roller\nM = " + std::to_string(found["M"].get<double>()) +
                              "\nL = " + std::to_string(found["L"].get<double>()) +
                              "\nlength = " + std::to_string(1.5e-3 / a) + "\n[lubricant]\nalpha = 16e-9\nz = 0.6\n";
-  const nlohmann::json plain = solved(folder, groups + "[roller]\nprofile = logarithmic\ndesign_load = 3\ntilt = " +
-                                                  std::to_string(0.2e-3 * 0.004 / a) + "\n" + short_grid);
+  const nlohmann::json plain =
+      solved_json(folder, groups + "[roller]\nprofile = logarithmic\ndesign_load = 3\ntilt = " +
+                              std::to_string(0.2e-3 * 0.004 / a) + "\n" + short_grid);
   for (const char* name : {"P_middle", "P_end", "load_centre"}) {
     const double here = roller[name], there = plain["roller"][name];
     BOOST_TEST(std::abs(here / there - 1.0) < 1e-3, name << ": " << here << ", " << there);
@@ -230,7 +225,7 @@ BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
   for (const char* rows : {"0,0\n1,0\n2,1e-6\n6,4e-6\n", "0,0\n1e-3,0\n2e-3,1e-6\n5e-3,4e-6\n",
                            "0,0\n1e-3,0\n2e-3,1e-3\n6e-3,4\n", "0,0\n1e-3,0.5e-3\n2e-3,2e-3\n6e-3,3.9e-3\n"}) {
     folder.write("mm.csv", rows);
-    const Ended check = ehl(folder, "check case.ini");
+    const Ended check = support::ehl(folder, "check case.ini");
     BOOST_TEST(check.status == 2, rows);
     BOOST_TEST(check.says({"case.ini:14", "file = mm.csv"}), check.err);
   }
@@ -240,12 +235,12 @@ BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
 BOOST_AUTO_TEST_CASE(the_result_is_drawn_and_runs_again) {
   const TemporaryFolder folder;
   const nlohmann::json first =
-      solved(folder, numbers + "[roller]\nprofile = logarithmic\ndesign_load = 2\n", "--output a.h5");
-  const Ended deck = ehl(folder, "extract a.h5 /deck");
-  const nlohmann::json again = solved(folder, deck.out, "--output b.h5");
+      solved_json(folder, numbers + "[roller]\nprofile = logarithmic\ndesign_load = 2\n", "--output a.h5");
+  const Ended deck = support::ehl(folder, "extract a.h5 /deck");
+  const nlohmann::json again = solved_json(folder, deck.out, "--output b.h5");
   BOOST_TEST(first["Hc"] == again["Hc"]);
   BOOST_TEST(first["roller"]["P_end"] == again["roller"]["P_end"]);
-  const Ended plot = ehl(folder, "plot a.h5");
+  const Ended plot = support::ehl(folder, "plot a.h5");
   BOOST_TEST(plot.status == 0, plot.err);
   BOOST_TEST(contains(plot.out, "roller"), plot.out);
   BOOST_TEST(plot.err.empty(), plot.err);
@@ -254,7 +249,7 @@ BOOST_AUTO_TEST_CASE(the_result_is_drawn_and_runs_again) {
 BOOST_AUTO_TEST_CASE(a_roller_is_not_called_circular) {
   const TemporaryFolder folder;
   folder.write("case.ini", numbers + "[roller]\nprofile = logarithmic\n");
-  const std::string words = ehl(folder, "check case.ini").out;
+  const std::string words = support::ehl(folder, "check case.ini").out;
   BOOST_TEST(!contains(words, "circular"), words);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,15 @@ inline ehl::results::ResultFile solved(const TemporaryFolder& folder, const std:
   const Ended ended = support::ehl(folder, "run " + name + ".ini --overwrite --quiet " + more);
   BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
   return ehl::results::ResultFile(folder / (name + ".h5"));
+}
+
+/// What `ehl run --json` prints of a deck, which must be solved.
+inline nlohmann::json solved_json(const TemporaryFolder& folder, const std::string& deck,
+                                  const std::string& more = "") {
+  folder.write("case.ini", deck);
+  const Ended run = support::ehl(folder, "run case.ini --json --quiet --overwrite " + more);
+  BOOST_TEST_REQUIRE(run.status == 0, run.err);
+  return nlohmann::json::parse(run.out);
 }
 
 /// A number at every step of a run in time.
